@@ -14,9 +14,9 @@ namespace complementarity {
                                                      const Laws& laws, const Answer& guess,
                                                      Work& work);
 
-// Where the centres find no end: each disc acts at a place that is held near its centre, and keeps
-// Coulomb's law there. Of discs and intervals on a symmetric A; there is one wherever bodies can
-// part (widened.h).
+// The search for centres may find no end. Here each disc acts at a place held near its centre, and
+// keeps Coulomb's law there. Of discs and intervals on a symmetric A; there is one wherever bodies
+// can part (widened.h).
 [[nodiscard]] std::optional<Answer> solveBesideCentres(const Matrix& a, const Vector& b,
                                                        const Laws& laws);
 

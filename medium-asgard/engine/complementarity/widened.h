@@ -1,12 +1,12 @@
 // Coulomb's law as a fixed point of convex problems.
 //
 // The least of  f'Af/2 + b'f  among forces that the laws allow is a convex problem, which always
-// has an end; there what slips parts, too, by the coefficient times its slip. With that taken off
-// the normal rates, for slips that the answer itself has, it is Coulomb's law (Cadoux,
-// Computational kinematics and dynamics of multibody systems with friction, thesis, Grenoble 2009;
-// Acary, Cadoux, Lemarechal and Malick, ZAMM 91, 2011, prove that a solution exists wherever bodies
-// can part). A dozen problems lead there from nothing, also in a wall of bricks, whose forces are
-// not unique.
+// has an end. There a disc that slips parts its surfaces, too, by the coefficient times the slip.
+// With that taken off the normal rates, for slips that the answer itself has, it is Coulomb's law.
+// A solution exists wherever bodies can part (Acary, Cadoux, Lemarechal and Malick, A formulation
+// of the linear discrete Coulomb friction problem via convex optimization, ZAMM 91, 2011). Ten to
+// forty problems lead there from nothing as a rule, also in a wall of bricks, whose forces are not
+// unique. LIMIT: of 200 random heaps with friction up to 0.9 five did not settle in 60.
 #pragma once
 
 #include "complementarity/fixed_point.h"

@@ -50,7 +50,8 @@ void keepInPlane(int axis, const physics::ImpactBody& before, double radius, Bod
             keep(after.angularVelocity[other], before.angularVelocity[other], most / radius);
 }
 
-// What parts slower is pressed back before the search for meetings sees a hop.
+// Bodies that part slower are pressed back before the search for meetings sees a hop. The whole
+// difference of accelerations bounds the part of it that presses, but for turning about a lever.
 double lostHopSpeed(const Instant& at, const Pair& pair) {
     const Vector first = at.accelerationOf(pair.first).linear;
     const Vector second = at.accelerationOf(pair.second).linear;

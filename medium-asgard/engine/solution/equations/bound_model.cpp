@@ -62,8 +62,9 @@ public:
     }
 
 private:
-    // What is held may read multipliers in any way. Friction that slips asks for implicit steps,
-    // and the derivatives of composed rates are differences, of which each takes as long as a rate.
+    // Values that are held may read multipliers in any way. Friction that slips asks for implicit
+    // steps, and the derivatives of composed rates are differences, of which each takes as long as
+    // a rate.
     [[nodiscard]] bool compose(Composer& composer, ComponentModels& models) const {
         if (bound_.multipliers.size() < leastComposed || !bound_.held.empty() ||
             !bound_.discs.empty())

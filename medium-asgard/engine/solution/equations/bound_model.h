@@ -49,10 +49,6 @@ struct BoundModel {
     std::vector<double> constants;
     bool canPeak = false;                        // peaks.h
     std::shared_ptr<const Composition> composed; // none: the model has the conditions
-    // Without functions where they are composed.
-    [[nodiscard]] const ComponentModel::Conditions& conditions() const {
-        return composed ? composed->conditions : model->conditions();
-    }
 };
 
 // `phases[i]` is the phase of unknowns[i] that is in force; unknowns are in order. What stays 0 is

@@ -166,8 +166,8 @@ public:
         Derived slopes;             // these
     };
     [[nodiscard]] const Kinematics& kinematics() const;
-    // Where all conditions but ties hold and nothing switches: outputs, then multipliers, then what
-    // is positive where these keep the conditions (solved_conditions.h).
+    // For modes in which all conditions but ties hold and nothing switches: outputs, multipliers,
+    // and the checks that are positive where these keep the conditions (solved_conditions.h).
     struct Solved {
         expression::Function all;
         // Of rates of these conditions, one for each multiplier behind the symbols, the multipliers

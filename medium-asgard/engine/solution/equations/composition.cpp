@@ -76,7 +76,7 @@ bool Composer::writeMotion(Writer& writer, const expression::ConditionParts& par
     const auto number = [](std::size_t i) { return static_cast<std::uint32_t>(i); };
     const auto next = [&] { return number(made_.motionValues + writer.size() - 1); };
     if (writer.write(parts.steady))
-        made_.steady.push_back({number(row), 0, next()});
+        made_.steady.push_back({number(row), next()});
     for (auto [terms, factors] : {std::pair(&made_.by, &parts.by), {&made_.pushes, &parts.pushes}})
         for (const auto& [symbol, factor] : *factors) {
             const auto state = stateOf(symbol);

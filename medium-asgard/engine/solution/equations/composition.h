@@ -38,16 +38,19 @@ struct Composition {
 
     // As of a model, but for the functions.
     ComponentModel::Conditions conditions;
-    struct Term { // of the values of motion
+    struct Steady { // the value of motion that is the steady rate of a row
+        std::uint32_t row, value;
+    };
+    std::vector<Steady> steady; // those that are not 0
+    struct Term {               // a value of motion, of a row and a state
         std::uint32_t row, state, value;
     };
-    std::vector<Term> steady; // of no state
     std::vector<Term> by, pushes;
-    struct Product { // of two values
-        std::uint32_t into, by, push;
+    struct Product { // factor * push, added to an entry
+        std::uint32_t into, factor, push;
     };
-    std::vector<Product> matrix; // into entries of A; of `by` and of pushes
-    std::vector<Product> shifts; // into entries of shifts; of Kinematics and of pushes
+    std::vector<Product> matrix; // entries of A; factors are values of `by`
+    std::vector<Product> shifts; // entries of shifts; factors are slopes of Kinematics
     std::size_t motionValues = 0;
     Pattern jacobian; // full
 };

@@ -13,7 +13,7 @@ using Operand = KeyWriter::Operand;
 
 namespace {
 
-// What a 0 in the place of an unknown leaves, so that numbers beside it meet and fold.
+// The rest of an operation with a 0 in the place of an unknown: numbers beside it meet and fold.
 std::optional<Operand> shortened(Op op, const std::array<Operand, 3>& a) {
     if (op == Op::add && (a[0].is(0) || a[1].is(0)))
         return a[a[0].is(0) ? 1 : 0];

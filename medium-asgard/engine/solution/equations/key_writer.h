@@ -1,7 +1,7 @@
 // Writes expressions into the key of a model (component_model.h), arguments before what reads them.
 //
-// What stays 0 is put in as a 0, and terms of numbers alone are numbers. Linear in the size of the
-// expressions, whatever else the graph has.
+// Unknowns that stay 0 are put in as a 0, and terms of numbers alone are numbers. Linear in the
+// size of the expressions, whatever else the graph has.
 #pragma once
 
 #include "equations/component_model.h"

@@ -104,7 +104,8 @@ void eachNodeOf(const expression::EquationSet& equations, std::span<const std::s
     }
 }
 
-// Multipliers hold nothing: the rates that they push have what their conditions compare.
+// A multiplier of a contact is no state that a switch could hold; the rates of the bodies that it
+// pushes have the same switches. Its last phase is the one that events wrote.
 bool isOfContact(const expression::Unknown& unknown) {
     const auto& condition = unknown.phases.back().condition;
     return condition && condition->parts;

@@ -18,7 +18,7 @@ namespace {
 // chain takes 29 for each.
 constexpr double few = 200, each = 64;
 
-// What conditions may have left of their second rates, by rounding; and what is left of 0.
+// The part of second rates that rounding may leave of conditions; and the part of 0.
 constexpr double rounding = 1e-11, nothing = 1e-200;
 
 // Puts nodes of one graph into another one, with products in order.

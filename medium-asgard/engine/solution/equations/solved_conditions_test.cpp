@@ -191,7 +191,7 @@ TEST(SolvedConditions, MayAllBeNothing) {
         EXPECT_GT(check, 0);
 }
 
-// What is written of a chain is in proportion to its conditions, and so it is at most of others: a
+// The code of a chain is in proportion to its conditions, and so it is at most of others: a
 // lattice, of which a dense elimination would take still more, is not written.
 TEST(SolvedConditions, AreNotWrittenOfALattice) {
     const auto orderOf = [](std::uint32_t wide, std::uint32_t high) {

@@ -37,11 +37,11 @@ void ComposedConditions::evaluate(std::vector<Block>& blocks, std::span<double> 
 void ComposedConditions::second(std::span<double> out) {
     evaluate(motion_, values_);
     std::ranges::fill(out, 0);
-    for (const auto& [into, by, push] : of_.matrix)
-        out[into] += values_[by] * values_[push];
+    for (const auto& [into, factor, push] : of_.matrix)
+        out[into] += values_[factor] * values_[push];
     const std::span<double> rest = out.subspan(of_.conditions.matrix.size());
-    for (const Composition::Term& term : of_.steady)
-        rest[term.row] = values_[term.value];
+    for (const auto& [row, value] : of_.steady)
+        rest[row] = values_[value];
     f_.bound()->model->function().evaluate(f_.symbols(), rates_, f_.scratch());
     for (const Composition::Term& term : of_.by)
         rest[term.row] += values_[term.value] * rates_[term.state];
@@ -64,8 +64,8 @@ void ComposedConditions::moves(std::span<double> out) {
     f_.evaluate(kinematics.slopes, slopes_);
     const std::span<double> shifts = out.subspan(pushes);
     std::ranges::fill(shifts, 0);
-    for (const auto& [into, by, push] : of_.shifts)
-        shifts[into] += slopes_[by] * values_[push];
+    for (const auto& [into, factor, push] : of_.shifts)
+        shifts[into] += slopes_[factor] * values_[push];
 }
 
 void ComposedConditions::addForces(std::span<double> rates) const {

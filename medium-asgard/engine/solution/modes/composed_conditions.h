@@ -1,5 +1,6 @@
 // The conditions of a component at one point, where they are put together from blocks
-// (equations/composition.h): the values that a model with conditions has as functions.
+// (equations/composition.h): the values that a model with conditions has as functions. Nothing
+// switches there: such a component keeps one expression.
 #pragma once
 
 #include "modes/model_functions.h"

@@ -48,7 +48,7 @@ double DiscFriction::pressedBy(std::size_t k, std::span<const double> forces) co
 DiscFriction::Levers DiscFriction::leversAmong(std::span<const double> gaps, std::size_t k,
                                                std::size_t normal) const {
     const BoundModel::Disc& of = disc(k);
-    const std::size_t first = bound_.conditions().firstLever[of.normals[normal]];
+    const std::size_t first = conditionsOf(bound_).firstLever[of.normals[normal]];
     return {gaps.data() + 2 * mode_.kept.size() + first, indexOf(of.rows.size()) - 1};
 }
 

@@ -25,7 +25,7 @@ TEST(HeldConditions, TakeTheShortestForces) {
     const PreparedEquations prepared = massOnThreePoints();
     const auto& bound = *prepared.components.at(0).bound;
     const Mode mode(*bound.model, bound.laws.size());
-    HeldConditions held(bound.conditions(), bound, mode);
+    HeldConditions held(conditionsOf(bound), bound, mode);
     ASSERT_TRUE(held.factorise(std::vector<double>(9, 1)));
     Eigen::VectorXd m = Eigen::Vector3d::Constant(-9.81);
     held.solve(m, mode.share.forces);
@@ -38,7 +38,7 @@ TEST(HeldConditions, AreKeptOfManyRatesAsOfEach) {
     const auto& bound = *prepared.components.at(0).bound;
     Mode mode(*bound.model, bound.laws.size());
     mode.share.rooms = {2, 1, 1e-3};
-    HeldConditions held(bound.conditions(), bound, mode);
+    HeldConditions held(conditionsOf(bound), bound, mode);
     for (const double tie : {1.0, 0.5}) { // redundant, and not
         Eigen::Matrix3d matrix = Eigen::Matrix3d::Constant(tie);
         matrix.diagonal().setOnes();
@@ -60,7 +60,7 @@ TEST(HeldConditions, AreRedundantWherePlacesOffThemMakeAPivot) {
     const PreparedEquations prepared = massOnThreePoints();
     const auto& bound = *prepared.components.at(0).bound;
     const Mode mode(*bound.model, bound.laws.size());
-    HeldConditions held(bound.conditions(), bound, mode);
+    HeldConditions held(conditionsOf(bound), bound, mode);
     constexpr double off = 1e-5;
     Eigen::Matrix3d rows;
     rows << 1, 0, 0, 0, 1, 0, 0.6, 0.8, 0.1 * off;
@@ -91,7 +91,7 @@ TEST(HeldConditions, ChangeForcesInProportionToTheSquaresOfTheirRooms) {
     Mode mode(*bound.model, bound.laws.size());
     mode.share.forces = {6, 3.81 - 1e-6, 1e-6};
     mode.share.rooms = {2, 1, 1e-3};
-    HeldConditions held(bound.conditions(), bound, mode);
+    HeldConditions held(conditionsOf(bound), bound, mode);
     ASSERT_TRUE(held.factorise(std::vector<double>(9, 1)));
     Eigen::VectorXd m = Eigen::Vector3d::Constant(-10.81);
     held.solve(m, mode.share.forces);
@@ -117,7 +117,7 @@ TEST(HeldConditions, AreKeptCloselyWhereATiltHasARateOfItsOwn) {
     const PreparedEquations prepared = solution::testing::prepared(set);
     const auto& bound = *prepared.components.at(0).bound;
     const Mode mode(*bound.model, bound.laws.size());
-    HeldConditions held(bound.conditions(), bound, mode);
+    HeldConditions held(conditionsOf(bound), bound, mode);
     Eigen::Matrix4d rows; // by the ways and turns of a body, and by what the tilt moves
     rows << 1, 1, 1, 0, 1, -1, 1, 0, 1, -1, -1, 0, 1, 1, -1, 1e-4;
     const Eigen::Matrix4d matrix = rows * rows.transpose();

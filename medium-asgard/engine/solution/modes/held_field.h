@@ -44,7 +44,7 @@ public:
         isContradictory_ = isContradictory_ && !isFound;
         return isFound;
     }
-    // As a rule.
+    // findRatesAtOnce() finds them, but at points where the code refuses itself.
     [[nodiscard]] bool findsRatesAtOnce() const {
         return !mode_.isHeld() && model_.held() == 0 && multipliers_.areSolvedAtOnce();
     }

@@ -120,7 +120,7 @@ private:
 
 // The model of bound equations; an empty one where held values are defined by each other.
 [[nodiscard]] const ComponentModel& modelOf(const BoundModel& bound);
-// Its conditions.
+// The conditions: those of the model, or the composed ones, which have no functions.
 [[nodiscard]] const ComponentModel::Conditions& conditionsOf(const BoundModel& bound);
 
 } // namespace solution

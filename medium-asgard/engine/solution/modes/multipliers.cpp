@@ -135,8 +135,8 @@ bool Multipliers::holdAlways() const {
 // Conditions that are redundant at the first point are so everywhere, as a rule; the same holds of
 // a matrix that is not symmetric there. For these the code would be made and evaluated in vain.
 bool Multipliers::areSolvedAtOnceHere() {
-    if (!atOnce_.isAsked && mode_.sticking.empty()) {
-        atOnce_.isAsked = true;
+    if (!atOnce_.isDecided && mode_.sticking.empty()) {
+        atOnce_.isDecided = true;
         if (size() > 0 && !composed_ && holdAlways()) {
             evaluate();
             if (factorise() && held_.isEliminated())
@@ -517,7 +517,7 @@ void Multipliers::project(double t, std::span<double> y) {
     if (size() == 0)
         return;
     unheld_.contradictory.clear();
-    if (!atOnce_.isAsked)
+    if (!atOnce_.isDecided)
         f_.fill(t, y);
     atOnce_.projects = areSolvedAtOnceHere();
     if (atOnce_.projects)

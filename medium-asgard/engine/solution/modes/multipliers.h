@@ -47,12 +47,14 @@ public:
     // The same, and as many of the model's outputs with them, where machine code has both: where
     // all conditions hold always, and it finds that it keeps them. False: it has not.
     [[nodiscard]] bool solveWith(std::span<double> outputs);
-    // There is such code. The first point that is solved for says it.
+    // There is such code, and the mode is one that it knows. It is made, or refused for good, at
+    // the first point that is solved for.
     [[nodiscard]] bool areSolvedAtOnce() const {
         return atOnce_.model && areAllInside() && mode_.sticking.empty();
     }
-    // Never by such code: the way then depends on the point alone.
-    void solveInSteps() { atOnce_.isAsked = true; }
+    // Never by such code, as for readers at any times in any order: the way then depends on the
+    // point alone.
+    void solveInSteps() { atOnce_.isDecided = true; }
     // At the point that was solved for last, once linearise() was called, how they change where the
     // point does. `change`: of second rates with multipliers as they are; then of the multipliers.
     // `gaps`: of the values of Conditions::gaps.
@@ -199,11 +201,12 @@ private:
     SlipForces slips_;
     bool areBalanced_ = true;
     struct AtOnce {
-        bool isAsked = false, isLast = false;          // was the last solution
+        bool isDecided = false;                        // whether there is a model
         const ComponentModel::Solved* model = nullptr; // none: never
-        bool projects = false;                         // now
-        std::vector<double> in, values;                // in: of the matrix that projects, and rates
-        std::vector<double> before;                    // it projects
+        bool isLast = false;                           // it made the last solution
+        bool projects = false;                         // project() uses it now
+        std::vector<double> in, values; // symbols at the point of the matrix, and rates; outputs
+        std::vector<double> before;     // states before project(), for another way
         [[nodiscard]] bool isPositive(std::size_t first) const {
             bool isPositive = true;
             for (std::size_t k = first; k < values.size(); ++k)
