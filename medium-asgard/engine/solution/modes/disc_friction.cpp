@@ -1,5 +1,7 @@
 #include "modes/disc_friction.h"
 
+#include "modes/model_functions.h"
+
 #include <algorithm>
 
 namespace solution {
