@@ -52,8 +52,7 @@ public:
         bound_.model = models.of(writer_.key());
         bound_.constants = writer_.constants();
         bound_.canPeak = bound_.model->canPeak(bound_.constants);
-        if (isComposed_ &&
-            (!bound_.model->surfaces().empty() || !bound_.model->directions().ranges.empty()))
+        if (isComposed_ && bound_.model->isSwitching())
             return Reader(set_, index_, zero_, unknowns_, phases_).read(models, false);
         if (isComposed_)
             bound_.composed = std::make_shared<const Composition>(
@@ -62,12 +61,9 @@ public:
     }
 
 private:
-    // Values that are held may read multipliers in any way. Friction that slips asks for implicit
-    // steps, and the derivatives of composed rates are differences, of which each takes as long as
-    // a rate.
+    // Values that are held may read multipliers in any way.
     [[nodiscard]] bool compose(Composer& composer, ComponentModels& models) const {
-        if (bound_.multipliers.size() < leastComposed || !bound_.held.empty() ||
-            !bound_.discs.empty())
+        if (bound_.multipliers.size() < leastComposed || !bound_.held.empty())
             return false;
         std::vector<Composer::Row> rows;
         for (std::size_t row = 0; row < bound_.multipliers.size(); ++row)
@@ -77,6 +73,7 @@ private:
             const auto place = unknown ? placeOf(*unknown) : std::nullopt;
             if (!place || zero_.contains(*unknown))
                 return std::nullopt;
+            assert(!phaseOf(*place).condition && "parts read no multipliers");
             return stateOf_[*place];
         };
         return composer.compose(set_, index_, zero_, rows, stateOf, models);

@@ -267,6 +267,11 @@ std::unique_ptr<ComponentModel::Jacobian> ComponentModel::derivedJacobian() cons
     return jacobian;
 }
 
+bool ComponentModel::isSwitching() const {
+    return !switching_.surfaces.empty() || !directions_.ranges.empty() ||
+           !conditions_.second.sources.empty() || !conditions_.gaps.sources.empty();
+}
+
 const ComponentModel::Kinematics& ComponentModel::kinematics() const {
     const std::scoped_lock lock(derivatives_.making);
     if (!derivatives_.kinematics)

@@ -84,6 +84,8 @@ public:
         return switching_.switches;
     }
     [[nodiscard]] const std::vector<Surface>& surfaces() const { return switching_.surfaces; }
+    // Something of it switches, a condition too, or acts along a direction.
+    [[nodiscard]] bool isSwitching() const;
     // Which of these the outputs read, on given branches.
     [[nodiscard]] const ReadSurfaces& readSurfaces() const { return switching_.read; }
     // Its guard reads a force, whose rate nothing here knows.

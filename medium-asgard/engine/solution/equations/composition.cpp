@@ -14,79 +14,164 @@ namespace solution {
 using expression::Node;
 using Operand = KeyWriter::Operand;
 
-// Writes the values of one block as a model whose held values they are.
+// Writes the model of one block.
 class Composer::Writer {
 public:
-    Writer(const expression::EquationSet& set, const UnknownIndex& index, const ZeroStates& zero)
-        : writer_(set.graph, zero, [&](Node n) { return symbol(set, index, zero, n); }) {}
+    using Places = std::vector<std::uint32_t>;
+    using Input = std::pair<std::uint32_t, Node>; // among inputs
 
-    // False: it is 0, and none of the values.
-    [[nodiscard]] bool write(Node node) {
-        const Operand value = writer_.operandOf(node);
-        if (!value.is(0))
-            outputs_.push_back(writer_.entryOf(value));
-        return !value.is(0);
+    Writer(const expression::EquationSet& set, const UnknownIndex& index, const ZeroStates& zero,
+           const StateOf& stateOf)
+        : stateOf_(stateOf),
+          writer_(set.graph, zero, [&](Node n) { return symbol(set, index, zero, n); }) {}
+
+    [[nodiscard]] Operand operandOf(Node node) { return writer_.operandOf(node); }
+    [[nodiscard]] std::optional<std::uint32_t> stateOf(Node node) const { return stateOf_(node); }
+    // Its number among the held values.
+    std::uint32_t hold(const Operand& value) {
+        held_.push_back(writer_.entryOf(value));
+        return static_cast<std::uint32_t>(held_.size() - 1);
     }
-    void writeEven0(Node node) { outputs_.push_back(writer_.entryOf(writer_.operandOf(node))); }
-    [[nodiscard]] std::size_t size() const { return outputs_.size(); }
-    [[nodiscard]] const std::vector<Node>& symbols() const { return symbols_; }
-    [[nodiscard]] Composition::Values values(ComponentModels& models) const {
-        ComponentModel::Key key{0, static_cast<std::uint32_t>(outputs_.size()), 0};
+    // To the second rate of the row that is written: a factor of the rate of a state.
+    void addTo(Operand& second, const Operand& factor, std::uint32_t state) {
+        auto known = std::ranges::find(rates_, state, &Composition::Block::Symbol::of);
+        if (known == rates_.end()) {
+            ofRates_.push_back(writer_.leaf(key::input));
+            known = rates_.insert(rates_.end(), {inputCount_++, state});
+        }
+        const auto which = static_cast<std::size_t>(known - rates_.begin());
+        second = sum(second, product(factor, ofRates_[which]));
+    }
+    // To the rate of a state, what the multiplier of this row pushes.
+    void push(std::uint32_t state, const Operand& factor) {
+        if (!multiplier_)
+            multiplier_ = writer_.leaf(key::multiplier, static_cast<std::uint32_t>(rows_.size()));
+        Operand& rate = pushed_[placeOf(state)];
+        rate = sum(rate, product(factor, *multiplier_));
+    }
+    void endRow(std::uint32_t row, const Row& of, const Operand& second) {
+        const auto write = [&](const Operand& value, Places& entries) {
+            entries.push_back(writer_.entryOf(value));
+        };
+        write(of.condition->gap ? operandOf(*of.condition->gap) : KeyWriter::number(0), ofRows_);
+        write(operandOf(*of.condition->rate), ofRows_);
+        write(second, ofRows_);
+        for (auto [nodes, entries] :
+             {std::pair(std::span<const Node>(of.condition->valid), &valid_),
+              {of.levers, &levers_}}) {
+            entries->push_back(static_cast<std::uint32_t>(nodes.size()));
+            for (const Node node : nodes)
+                write(operandOf(node), *entries);
+        }
+        multiplier_.reset();
+        rows_.push_back(row);
+    }
+    // The places of its symbols are those of its states and inputs until they are numbered.
+    [[nodiscard]] Composition::Block block(ComponentModels& models) {
+        ComponentModel::Key key{static_cast<std::uint32_t>(states_.size()),
+                                static_cast<std::uint32_t>(held_.size()),
+                                static_cast<std::uint32_t>(rows_.size())};
+        key.resize(key.size() + states_.size(), 0);
+        std::vector<std::uint32_t> rates;
+        for (const Operand& rate : pushed_)
+            rates.push_back(writer_.entryOf(rate));
         key.insert(key.end(), writer_.key().begin(), writer_.key().end());
         key.push_back(key::outputs);
-        key.insert(key.end(), outputs_.begin(), outputs_.end());
-        return {.model = models.of(key), .constants = writer_.constants(), .in = {}};
+        for (const auto* const words : {&rates, &held_, &ofRows_, &valid_, &levers_})
+            key.insert(key.end(), words->begin(), words->end());
+        return {.model = models.of(key),
+                .constants = writer_.constants(),
+                .read = {},
+                .rates = rates_,
+                .states = states_,
+                .rows = rows_,
+                .gaps = {}};
     }
+    [[nodiscard]] const std::vector<Input>& inputs() const { return inputs_; }
 
 private:
+    [[nodiscard]] Operand sum(const Operand& a, const Operand& b) {
+        return writer_.apply(expression::Op::add, {a, b}, 2);
+    }
+    [[nodiscard]] Operand product(const Operand& a, const Operand& b) {
+        return writer_.apply(expression::Op::multiply, {a, b}, 2);
+    }
+    // Of a state of the component, among those of the block.
+    [[nodiscard]] std::uint32_t placeOf(std::uint32_t state) {
+        const auto known = std::ranges::find(states_, state);
+        const auto place = static_cast<std::uint32_t>(known - states_.begin());
+        if (known == states_.end()) {
+            states_.push_back(state);
+            pushed_.push_back(KeyWriter::number(0));
+        }
+        return place;
+    }
     Operand symbol(const expression::EquationSet& set, const UnknownIndex& index,
                    const ZeroStates& zero, Node n) {
-        if (n == set.time) {
-            symbols_.push_back(n);
+        if (n == set.time)
             return writer_.leaf(key::time);
-        }
         if (zero.contains(index.of(n).value()))
             return KeyWriter::number(0);
-        symbols_.push_back(n);
+        if (const auto state = stateOf_(n))
+            return writer_.leaf(key::state, placeOf(*state));
+        inputs_.emplace_back(inputCount_++, n);
         return writer_.leaf(key::input);
     }
-    std::vector<Node> symbols_; // in the order of the model's inputs; the time among them
-    std::vector<std::uint32_t> outputs_;
+
+    const StateOf& stateOf_;
+    Places states_, rows_, held_;
+    std::vector<Operand> pushed_; // rates of states
+    std::vector<Input> inputs_;
+    std::vector<Composition::Block::Symbol> rates_; // among inputs
+    std::vector<Operand> ofRates_;
+    std::uint32_t inputCount_ = 0;
+    std::optional<Operand> multiplier_; // of the row that is written
+    Places ofRows_, valid_, levers_;    // entries
     KeyWriter writer_;
 };
 
-void Composer::writePlaces(Writer& writer, std::span<const Row> rows, std::size_t row) {
-    const std::size_t count = rows.size();
-    const auto write = [&](Node node, std::size_t place) {
-        writer.writeEven0(node);
-        made_.ofPlaces.push_back(static_cast<std::uint32_t>(place));
-    };
-    const expression::Condition& of = *rows[row].condition;
-    if (of.gap)
-        write(*of.gap, row);
-    write(*of.rate, count + row);
-    for (std::size_t k = 0; k < of.valid.size(); ++k)
-        write(of.valid[k], 2 * count + made_.conditions.firstValid[row] + k);
-    for (std::size_t k = 0; k < rows[row].levers.size(); ++k)
-        write(rows[row].levers[k], 2 * count + made_.conditions.firstLever[row] + k);
+// Values are held ones of the block until it is numbered.
+bool Composer::write(Writer& writer, const Row& row, std::size_t place) {
+    const auto at = static_cast<std::uint32_t>(place);
+    const expression::ConditionParts& parts = *row.condition->parts;
+    Operand second = writer.operandOf(parts.steady);
+    if (!second.is(0))
+        made_.steady.push_back({at, writer.hold(second)});
+    for (const auto& [symbol, factor] : parts.by) {
+        const Operand value = writer.operandOf(factor);
+        if (value.is(0))
+            continue;
+        const auto state = writer.stateOf(symbol);
+        if (!state) // what stays 0 is pushed by nothing
+            return false;
+        made_.by.push_back({at, *state, writer.hold(value)});
+        writer.addTo(second, value, *state);
+    }
+    for (const auto& [symbol, factor] : parts.pushes) {
+        const Operand value = writer.operandOf(factor);
+        if (value.is(0))
+            continue;
+        const auto state = writer.stateOf(symbol);
+        if (!state)
+            return false;
+        made_.pushes.push_back({at, *state, writer.hold(value)});
+        writer.push(*state, value);
+    }
+    writer.endRow(at, row, second);
+    return true;
 }
 
-bool Composer::writeMotion(Writer& writer, const expression::ConditionParts& parts, std::size_t row,
-                           const StateOf& stateOf) {
-    const auto number = [](std::size_t i) { return static_cast<std::uint32_t>(i); };
-    const auto next = [&] { return number(made_.motionValues + writer.size() - 1); };
-    if (writer.write(parts.steady))
-        made_.steady.push_back({number(row), next()});
-    for (auto [terms, factors] : {std::pair(&made_.by, &parts.by), {&made_.pushes, &parts.pushes}})
-        for (const auto& [symbol, factor] : *factors) {
-            const auto state = stateOf(symbol);
-            if (writer.write(factor)) {
-                if (!state) // what stays 0 is pushed by nothing
-                    return false;
-                terms->push_back({number(row), *state, next()});
-            }
-        }
-    return true;
+// Where its gaps stand among the component's.
+void Composer::number(Composition::Block& block) const {
+    const ComponentModel::Conditions& all = made_.conditions;
+    const auto count = static_cast<std::uint32_t>(all.isTie.size());
+    for (const std::uint32_t first : {0u, count})
+        for (const std::uint32_t row : block.rows)
+            block.gaps.push_back(first + row);
+    for (const auto* const firsts : {&all.firstValid, &all.firstLever})
+        for (const std::uint32_t row : block.rows)
+            for (std::uint32_t k = (*firsts)[row]; k < (*firsts)[row + 1]; ++k)
+                block.gaps.push_back(2 * count + k);
 }
 
 bool Composer::compose(const expression::EquationSet& set, const UnknownIndex& index,
@@ -113,24 +198,27 @@ bool Composer::compose(const expression::EquationSet& set, const UnknownIndex& i
         if (std::ranges::find(owners, row.condition->parts->owner) == owners.end())
             owners.push_back(row.condition->parts->owner);
     for (const Node owner : owners) {
-        Writer motion(set, index, zero), places(set, index, zero);
-        for (std::size_t r = 0; r < rows.size(); ++r) {
-            const expression::ConditionParts& parts = *rows[r].condition->parts;
-            if (parts.owner != owner)
-                continue;
-            if (!writeMotion(motion, parts, r, stateOf))
+        Writer writer(set, index, zero, stateOf);
+        const std::array before{made_.steady.size(), made_.by.size(), made_.pushes.size()};
+        for (std::size_t r = 0; r < rows.size(); ++r)
+            if (rows[r].condition->parts->owner == owner && !write(writer, rows[r], r))
                 return false;
-            writePlaces(places, rows, r);
-        }
-        made_.motionValues += motion.size();
-        for (const auto& [writer, list] :
-             {std::pair(&motion, &made_.motion), {&places, &made_.places}}) {
-            list->push_back(writer->values(models));
-            if (!list->back().model->surfaces().empty())
-                return false;
-            read_.push_back(writer->symbols());
-            symbols_.insert(symbols_.end(), read_.back().begin(), read_.back().end());
-        }
+        Composition::Block block = writer.block(models);
+        if (block.model->isSwitching())
+            return false;
+        number(block);
+        const auto first = static_cast<std::uint32_t>(made_.values + block.states.size());
+        for (std::size_t k = before[0]; k < made_.steady.size(); ++k)
+            made_.steady[k].value += first;
+        for (std::size_t k = before[1]; k < made_.by.size(); ++k)
+            made_.by[k].value += first;
+        for (std::size_t k = before[2]; k < made_.pushes.size(); ++k)
+            made_.pushes[k].value += first;
+        made_.values += block.model->outputs().size();
+        inputs_.push_back(writer.inputs());
+        for (const auto& [place, symbol] : inputs_.back())
+            symbols_.push_back(symbol);
+        made_.blocks.push_back(std::move(block));
     }
     std::ranges::sort(symbols_);
     symbols_.erase(std::unique(symbols_.begin(), symbols_.end()), symbols_.end());
@@ -186,12 +274,16 @@ void Composer::multiply(const ComponentModel& model) {
 Composition Composer::finish(const ComponentModel& model,
                              const std::function<std::uint32_t(Node)>& placeOf) && {
     multiply(model);
-    std::size_t block = 0;
-    for (std::size_t i = 0; i < made_.motion.size(); ++i)
-        for (Composition::Values* const values : {&made_.motion[i], &made_.places[i]})
-            for (const Node symbol : read_[block++])
-                if (const std::uint32_t place = placeOf(symbol); place != 0) // the time is first
-                    values->in.push_back(place);
+    for (std::size_t k = 0; k < made_.blocks.size(); ++k) {
+        Composition::Block& block = made_.blocks[k];
+        for (const std::uint32_t state : block.states)
+            block.read.push_back({static_cast<std::uint32_t>(1 + block.read.size()), 1 + state});
+        const auto first = static_cast<std::uint32_t>(1 + block.states.size());
+        for (const auto& [place, symbol] : inputs_[k])
+            block.read.push_back({first + place, placeOf(symbol)});
+        for (auto& [place, state] : block.rates)
+            place += first;
+    }
     const auto count = static_cast<int>(model.states());
     for (int column = 0; column <= count; ++column)
         made_.jacobian.columnStarts.push_back(column * count);

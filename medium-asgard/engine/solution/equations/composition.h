@@ -27,22 +27,32 @@ namespace solution {
 class UnknownIndex;
 
 struct Composition {
-    struct Values { // of a block, from few symbols of the component and constants of its own
-        std::shared_ptr<const ComponentModel> model; // held values, from inputs
+    // A thing that has conditions, as a model. Its states are those of the component that it reads
+    // or pushes, its multipliers those of its conditions, its inputs what it reads of other
+    // components, and the rates of its states with all forces. Its rates are what its multipliers
+    // push, its held values `motion`, and its second rates  steady + by * (rates of its states).
+    struct Block {
+        std::shared_ptr<const ComponentModel> model;
         std::vector<double> constants;
-        std::vector<std::uint32_t> in; // places of the inputs among the component's symbols
+        struct Symbol {
+            std::uint32_t place, of;
+        };
+        std::vector<Symbol> read;          // symbols of the component
+        std::vector<Symbol> rates;         // rates of states of the component
+        std::vector<std::uint32_t> states; // of the component
+        std::vector<std::uint32_t> rows;   // of the component, by its multiplier
+        std::vector<std::uint32_t> gaps;   // where its Conditions::gaps stand in the component's
     };
-    std::vector<Values> motion;          // steady rates, factors and pushes, block by block
-    std::vector<Values> places;          // gaps, rates, what is valid, levers
-    std::vector<std::uint32_t> ofPlaces; // where each of these stands in Conditions::gaps
+    std::vector<Block> blocks;
 
     // As of a model, but for the functions.
     ComponentModel::Conditions conditions;
-    struct Steady { // the value of motion that is the steady rate of a row
+    // Values are numbered through the outputs of all blocks.
+    struct Steady { // the value that is the steady rate of a row
         std::uint32_t row, value;
     };
     std::vector<Steady> steady; // those that are not 0
-    struct Term {               // a value of motion, of a row and a state
+    struct Term {               // a value, of a row and a state
         std::uint32_t row, state, value;
     };
     std::vector<Term> by, pushes;
@@ -51,12 +61,12 @@ struct Composition {
     };
     std::vector<Product> matrix; // entries of A; factors are values of `by`
     std::vector<Product> shifts; // entries of shifts; factors are slopes of Kinematics
-    std::size_t motionValues = 0;
+    std::size_t values = 0;
     Pattern jacobian; // full
 };
 
-// From how many multipliers on the conditions of a component without friction are composed: fewer
-// are one expression, whose code is the fastest where it stays.
+// From how many multipliers on the conditions of a component are composed: fewer are one
+// expression, whose code is the fastest where it stays.
 inline constexpr std::size_t leastComposed = 20;
 
 class Composer {
@@ -65,12 +75,13 @@ public:
         const expression::Condition* condition;
         std::span<const expression::Node> levers;
     };
+    // None: a symbol of another component.
     using StateOf = std::function<std::optional<std::uint32_t>(expression::Node)>;
     // False: these conditions are not composed of parts, or switch.
     [[nodiscard]] bool compose(const expression::EquationSet& set, const UnknownIndex& index,
                                const ZeroStates& zero, std::span<const Row> rows,
                                const StateOf& stateOf, ComponentModels& models);
-    // Symbols that blocks read.
+    // Of other components: those that blocks read.
     [[nodiscard]] const std::vector<expression::Node>& symbols() const { return symbols_; }
     // With the model of all else, which has these symbols at these places.
     [[nodiscard]] Composition
@@ -79,14 +90,13 @@ public:
 
 private:
     class Writer;
-    void writePlaces(Writer& writer, std::span<const Row> rows, std::size_t row);
-    [[nodiscard]] bool writeMotion(Writer& writer, const expression::ConditionParts& parts,
-                                   std::size_t row, const StateOf& stateOf);
+    [[nodiscard]] bool write(Writer& writer, const Row& row, std::size_t place);
+    void number(Composition::Block& block) const;
     void multiply(const ComponentModel& model);
 
     Composition made_;
     std::vector<expression::Node> symbols_;
-    std::vector<std::vector<expression::Node>> read_; // by block: of motion, then of places
+    std::vector<std::vector<std::pair<std::uint32_t, expression::Node>>> inputs_; // by block
 };
 
 } // namespace solution

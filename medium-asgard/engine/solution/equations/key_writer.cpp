@@ -2,6 +2,7 @@
 
 #include "expression/operation.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 
@@ -62,22 +63,19 @@ KeyWriter::Operand KeyWriter::made(Node n) {
     }
     std::array<Operand, 3> a;
     const auto arguments = graph_.arguments(n);
-    bool allNumbers = true;
-    for (std::size_t k = 0; k < arguments.size(); ++k) {
+    for (std::size_t k = 0; k < arguments.size(); ++k)
         a[k] = *done_.find(arguments[k].index);
-        allNumbers = allNumbers && a[k].isNumber;
-    }
-    if (allNumbers) {
+    return apply(op, a, arguments.size());
+}
+
+KeyWriter::Operand KeyWriter::apply(Op op, const std::array<Operand, 3>& a, std::size_t count) {
+    if (std::ranges::all_of(std::span(a).first(count), &Operand::isNumber)) {
         const double value = expression::compute(op, a[0].number, a[1].number, a[2].number);
         if (std::isfinite(value))
             return number(value);
     }
     if (const auto shorter = shortened(op, a))
         return *shorter;
-    return operation(op, a, arguments.size());
-}
-
-KeyWriter::Operand KeyWriter::operation(Op op, const std::array<Operand, 3>& a, std::size_t count) {
     std::array<std::uint32_t, 3> entries{};
     for (std::size_t k = 0; k < count; ++k)
         entries[k] =

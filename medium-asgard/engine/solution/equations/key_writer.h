@@ -40,6 +40,8 @@ public:
     // Of a node, from now on.
     void put(expression::Node node, const Operand& operand) { done_.insert(node.index, operand); }
     Operand leaf(std::uint32_t kind, std::optional<std::uint32_t> which = {});
+    // Of `count` operands, which the graph need not have together.
+    Operand apply(expression::Op op, const std::array<Operand, 3>& a, std::size_t count);
     // Words between entries.
     void add(std::initializer_list<std::uint32_t> words) { key_.insert(key_.end(), words); }
     void add(const std::vector<std::uint32_t>& words) {
@@ -91,8 +93,6 @@ private:
     };
 
     [[nodiscard]] Operand made(expression::Node n);
-    [[nodiscard]] Operand operation(expression::Op op, const std::array<Operand, 3>& a,
-                                    std::size_t count);
     [[nodiscard]] std::uint32_t literal(double value);
 
     const expression::Graph& graph_;

@@ -208,62 +208,67 @@ const Pattern& ComponentEquations::jacobianPattern() {
 }
 
 bool ComponentEquations::jacobian(double t, std::span<const double> y, std::span<double> entries) {
-    if (sliding() || isComposed())
+    if (sliding())
         return differences(t, y, entries);
     functions_.fill(t, y);
-    const ComponentModel::Jacobian& jacobian = model().jacobian();
     if (multipliers().empty()) {
-        functions_.evaluate(jacobian.entries, entries);
+        functions_.evaluate(model().jacobian().entries, entries);
     } else {
         if (!field_.multipliers().solve())
             return false;
-        std::vector<double> all(entries.size() + jacobian.ofConditions.size() +
-                                jacobian.ofGaps.size());
-        functions_.evaluate(jacobian.entries, all);
-        std::copy_n(all.begin(), entries.size(), entries.begin());
-        addMultipliers(std::span(all).subspan(entries.size()), entries);
+        const auto m = static_cast<Eigen::Index>(multipliers().size());
+        const auto n = static_cast<Eigen::Index>(states().size());
+        MultiplierSlopes slopes{
+            Eigen::MatrixXd::Zero(m, n),
+            Eigen::MatrixXd::Zero(2 * m + conditionsOf(*bound()).firstLever.back(), n)};
+        if (ComposedConditions* const composed = field_.multipliers().composed())
+            composed->differentiate(entries, slopes.second, slopes.gaps);
+        else
+            differentiate(entries, slopes);
+        addMultipliers(slopes, entries);
     }
     return std::ranges::all_of(entries, [](double x) { return std::isfinite(x); }) ||
            differences(t, y, entries);
 }
 
+void ComponentEquations::differentiate(std::span<double> entries, MultiplierSlopes& slopes) {
+    const ComponentModel::Jacobian& jacobian = model().jacobian();
+    std::vector<double> all(entries.size() + jacobian.ofConditions.size() + jacobian.ofGaps.size());
+    functions_.evaluate(jacobian.entries, all);
+    std::copy_n(all.begin(), entries.size(), entries.begin());
+    std::size_t next = entries.size();
+    for (const ComponentModel::Entry& entry : jacobian.ofConditions)
+        slopes.second(entry.row, entry.column) = all[next++];
+    for (const ComponentModel::Entry& entry : jacobian.ofGaps)
+        slopes.gaps(entry.row, entry.column) = all[next++];
+}
+
 // With A m + b = 0:  df/dy + df/dm dm/dy,  and  A dm/dy = -d(A m + b)/dy. Friction that slips
 // follows gaps, their rates and levers, too.
-void ComponentEquations::addMultipliers(std::span<const double> derivatives,
-                                        std::span<double> entries) {
-    const ComponentModel::Conditions& conditions = model().conditions();
-    const ComponentModel::Jacobian& jacobian = model().jacobian();
-    std::vector<double> moves(conditions.pushes.size() + conditions.shifts.size());
-    functions_.evaluate(conditions.moves, moves);
-    const auto m = static_cast<Eigen::Index>(multipliers().size());
-    const auto n = static_cast<Eigen::Index>(states().size());
-    Eigen::MatrixXd pushes = Eigen::MatrixXd::Zero(n, m), change = Eigen::MatrixXd::Zero(m, n);
-    Eigen::MatrixXd gaps = Eigen::MatrixXd::Zero(2 * m + conditions.firstLever.back(), n);
-    for (std::size_t k = 0; k < conditions.pushes.size(); ++k)
-        pushes(conditions.pushes[k].row, conditions.pushes[k].column) = moves[k];
-    std::size_t next = 0;
-    for (const ComponentModel::Entry& entry : jacobian.ofConditions)
-        change(entry.row, entry.column) = derivatives[next++];
-    for (const ComponentModel::Entry& entry : jacobian.ofGaps)
-        gaps(entry.row, entry.column) = derivatives[next++];
+void ComponentEquations::addMultipliers(MultiplierSlopes& slopes, std::span<double> entries) {
+    const std::vector<ComponentModel::Entry>& pushed = conditionsOf(*bound()).pushes;
+    const std::span<const double> moves = field_.multipliers().moves();
+    Eigen::MatrixXd pushes = Eigen::MatrixXd::Zero(slopes.second.cols(), slopes.second.rows());
+    for (std::size_t k = 0; k < pushed.size(); ++k)
+        pushes(pushed[k].row, pushed[k].column) = moves[k];
     field_.multipliers().linearise();
-    const Pattern& pattern = jacobian.pattern;
-    for (Eigen::Index column = 0; column < n; ++column) {
-        if (change.col(column).isZero(0) && gaps.col(column).isZero(0))
+    const Pattern& pattern = jacobianPattern();
+    for (Eigen::Index column = 0; column < slopes.second.cols(); ++column) {
+        auto change = slopes.second.col(column);
+        auto gaps = slopes.gaps.col(column);
+        if (change.isZero(0) && gaps.isZero(0))
             continue;
-        field_.multipliers().change(
-            {gaps.col(column).data(), static_cast<std::size_t>(gaps.rows())}, change.col(column));
+        field_.multipliers().change({gaps.data(), static_cast<std::size_t>(gaps.rows())}, change);
         const auto first = static_cast<std::size_t>(column);
         for (int k = pattern.columnStarts[first]; k < pattern.columnStarts[first + 1]; ++k)
             entries[static_cast<std::size_t>(k)] +=
-                pushes.row(pattern.rows[static_cast<std::size_t>(k)]).dot(change.col(column));
+                pushes.row(pattern.rows[static_cast<std::size_t>(k)]).dot(change);
     }
 }
 
 // While sliding f is a mixture whose weights depend on y too; few unknowns slide, so differences
-// do; so they do where conditions are composed, and where derivatives overflow (of 1/cosh(x)^2, far
-// out) while rates do not. What stays on its surface exactly moves nothing, and may have no value
-// beside it.
+// do; so they do where derivatives overflow (of 1/cosh(x)^2, far out) while rates do not. What
+// stays on its surface exactly moves nothing, and may have no value beside it.
 bool ComponentEquations::differences(double t, std::span<const double> y,
                                      std::span<double> entries) {
     std::vector<double> at(y.begin(), y.end()), low(states().size()), high(states().size());

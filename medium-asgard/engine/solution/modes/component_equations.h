@@ -185,7 +185,13 @@ private:
         return places;
     }
     void fillProjected(double t, std::span<const double> y);
-    void addMultipliers(std::span<const double> derivatives, std::span<double> entries);
+    // By states, by columns: of second rates with multipliers as they are, then of multipliers; and
+    // of the values of Conditions::gaps.
+    struct MultiplierSlopes {
+        Eigen::MatrixXd second, gaps;
+    };
+    void differentiate(std::span<double> entries, MultiplierSlopes& slopes);
+    void addMultipliers(MultiplierSlopes& slopes, std::span<double> entries);
     [[nodiscard]] bool differences(double t, std::span<const double> y, std::span<double> entries);
 
     Mode mode_;

@@ -4,38 +4,36 @@
 
 namespace solution {
 
-std::vector<ComposedConditions::Block>
-ComposedConditions::blocksOf(const std::vector<Composition::Values>& all) {
-    std::vector<Block> blocks;
-    for (const Composition::Values& values : all) {
-        std::vector<double> in(values.model->symbols().size());
-        std::ranges::copy(values.constants,
-                          in.end() - static_cast<std::ptrdiff_t>(values.constants.size()));
-        blocks.push_back({&values, std::move(in)});
+ComposedConditions::ComposedConditions(ModelFunctions& functions)
+    : f_(functions), of_(*functions.bound()->composed), values_(of_.values),
+      rates_(functions.bound()->model->outputs().size()) {
+    for (const Composition::Block& block : of_.blocks) {
+        std::vector<double> in(block.model->symbols().size());
+        std::ranges::copy(block.constants,
+                          in.begin() + static_cast<std::ptrdiff_t>(block.model->variables()));
+        blocks_.push_back({&block, std::move(in)});
     }
-    return blocks;
 }
 
-ComposedConditions::ComposedConditions(ModelFunctions& functions)
-    : f_(functions), of_(*functions.bound()->composed), motion_(blocksOf(of_.motion)),
-      places_(blocksOf(of_.places)), values_(of_.motionValues),
-      rates_(functions.bound()->model->outputs().size()), beside_(of_.ofPlaces.size()) {}
+void ComposedConditions::fill(Block& block) const {
+    block.in[0] = f_.in()[0];
+    for (const auto& [place, of] : block.of->read)
+        block.in[place] = f_.in()[of];
+}
 
-void ComposedConditions::evaluate(std::vector<Block>& blocks, std::span<double> out) {
-    const std::vector<double>& in = f_.in();
+void ComposedConditions::evaluate() {
     std::size_t first = 0;
-    for (auto& [values, own] : blocks) {
-        own[0] = in[0];
-        for (std::size_t i = 0; i < values->in.size(); ++i)
-            own[1 + i] = in[values->in[i]];
-        const std::size_t count = values->model->outputs().size();
-        values->model->function().evaluate(own, out.subspan(first, count), f_.scratch());
+    for (Block& block : blocks_) {
+        fill(block);
+        const ComponentModel& model = *block.of->model;
+        const std::size_t count = model.outputs().size();
+        model.function().evaluate(block.in, std::span(values_).subspan(first, count), f_.scratch());
         first += count;
     }
 }
 
 void ComposedConditions::second(std::span<double> out) {
-    evaluate(motion_, values_);
+    evaluate();
     std::ranges::fill(out, 0);
     for (const auto& [into, factor, push] : of_.matrix)
         out[into] += values_[factor] * values_[push];
@@ -48,14 +46,18 @@ void ComposedConditions::second(std::span<double> out) {
 }
 
 void ComposedConditions::gaps(std::span<double> out) {
-    evaluate(places_, beside_);
     std::ranges::fill(out, 0);
-    for (std::size_t k = 0; k < beside_.size(); ++k)
-        out[of_.ofPlaces[k]] = beside_[k];
+    for (Block& block : blocks_) {
+        fill(block);
+        ofBlock_.resize(block.of->gaps.size());
+        block.of->model->conditions().gaps.function.evaluate(block.in, ofBlock_, f_.scratch());
+        for (std::size_t k = 0; k < ofBlock_.size(); ++k)
+            out[block.of->gaps[k]] = ofBlock_[k];
+    }
 }
 
 void ComposedConditions::moves(std::span<double> out) {
-    evaluate(motion_, values_);
+    evaluate();
     const std::size_t pushes = of_.pushes.size();
     for (std::size_t k = 0; k < pushes; ++k)
         out[k] = values_[of_.pushes[k].value];
@@ -72,6 +74,52 @@ void ComposedConditions::addForces(std::span<double> rates) const {
     const std::size_t first = f_.in().size() - of_.conditions.isTie.size();
     for (const Composition::Term& push : of_.pushes)
         rates[push.state] += values_[push.value] * f_.in()[first + push.row];
+}
+
+// With a the rates of states and F what they are without multipliers:
+//
+//     d(a) = dF + d(P m)      d(g'') = d(steady + by a at these rates) + by d(a)
+void ComposedConditions::differentiate(std::span<double> ofRates, Eigen::MatrixXd& ofConditions,
+                                       Eigen::MatrixXd& ofGaps) {
+    const ComponentModel& model = *f_.bound()->model;
+    const auto states = static_cast<Eigen::Index>(model.states());
+    std::ranges::fill(ofRates, 0);
+    Eigen::Map<Eigen::MatrixXd> rates(ofRates.data(), states, states);
+    const auto add = [&](const Pattern& pattern, auto&& stateAt) {
+        for (std::size_t column = 0; column < pattern.size(); ++column)
+            for (auto k = static_cast<std::size_t>(pattern.columnStarts[column]);
+                 k < static_cast<std::size_t>(pattern.columnStarts[column + 1]); ++k)
+                rates(stateAt(static_cast<std::size_t>(pattern.rows[k])), stateAt(column)) +=
+                    slopes_[k];
+    };
+    slopes_.resize(model.jacobian().pattern.entries());
+    f_.evaluate(model.jacobian().entries, slopes_);
+    add(model.jacobian().pattern, [](std::size_t i) { return static_cast<Eigen::Index>(i); });
+    model.function().evaluate(f_.symbols(), rates_, f_.scratch());
+    addForces(rates_);
+    const std::size_t first = f_.in().size() - of_.conditions.isTie.size();
+    for (Block& block : blocks_) {
+        fill(block);
+        for (const auto& [place, state] : block.of->rates)
+            block.in[place] = rates_[state];
+        const std::vector<std::uint32_t>& rows = block.of->rows;
+        for (std::size_t k = 0; k < rows.size(); ++k)
+            block.in[block.in.size() - rows.size() + k] = f_.in()[first + rows[k]];
+        const ComponentModel::Jacobian& jacobian = block.of->model->jacobian();
+        const std::size_t entries = jacobian.pattern.entries();
+        slopes_.resize(entries + jacobian.ofConditions.size() + jacobian.ofGaps.size());
+        jacobian.entries.function.evaluate(block.in, slopes_, f_.scratch());
+        const std::vector<std::uint32_t>& at = block.of->states;
+        add(jacobian.pattern, [&](std::size_t i) { return static_cast<Eigen::Index>(at[i]); });
+        auto slope = slopes_.begin() + static_cast<std::ptrdiff_t>(entries);
+        for (const auto& [row, column] : jacobian.ofConditions)
+            ofConditions(rows[row], at[column]) += *slope++;
+        for (const auto& [row, column] : jacobian.ofGaps)
+            ofGaps(block.of->gaps[row], at[column]) += *slope++;
+    }
+    for (Eigen::Index column = 0; column < states; ++column)
+        for (const Composition::Term& by : of_.by)
+            ofConditions(by.row, column) += values_[by.value] * rates(by.state, column);
 }
 
 } // namespace solution

@@ -5,6 +5,8 @@
 
 #include "modes/model_functions.h"
 
+#include <Eigen/Core>
+
 #include <span>
 #include <vector>
 
@@ -22,20 +24,24 @@ public:
     void moves(std::span<double> out);
     // To rates without multipliers, at the point of second(), what the point's multipliers add.
     void addForces(std::span<double> rates) const;
+    // By states, with the point's multipliers as they are, at the point of second(): of the rates,
+    // in the order of Composition::jacobian; of second rates; and of the values of gaps().
+    void differentiate(std::span<double> ofRates, Eigen::MatrixXd& ofConditions,
+                       Eigen::MatrixXd& ofGaps);
 
 private:
     struct Block {
-        const Composition::Values* values;
+        const Composition::Block* of;
         std::vector<double> in;
     };
-    [[nodiscard]] static std::vector<Block> blocksOf(const std::vector<Composition::Values>& all);
-    void evaluate(std::vector<Block>& blocks, std::span<double> out);
+    void fill(Block& block) const;
+    void evaluate();
 
     ModelFunctions& f_;
     const Composition& of_;
-    std::vector<Block> motion_, places_;
-    std::vector<double> values_; // of motion
-    std::vector<double> rates_, beside_, slopes_;
+    std::vector<Block> blocks_;
+    std::vector<double> values_; // of all blocks
+    std::vector<double> rates_, ofBlock_, slopes_;
 };
 
 } // namespace solution

@@ -59,6 +59,13 @@ public:
     // point does. `change`: of second rates with multipliers as they are; then of the multipliers.
     // `gaps`: of the values of Conditions::gaps.
     void linearise();
+    // As Conditions::moves.
+    [[nodiscard]] std::span<const double> moves() {
+        evaluateMoves();
+        return moves_;
+    }
+    // Null: the conditions are one expression.
+    [[nodiscard]] ComposedConditions* composed() { return composed_ ? &*composed_ : nullptr; }
     void change(std::span<const double> gaps, Eigen::Ref<Eigen::VectorXd> change);
     // The last solve() found forces of slips that follow the forces that they change.
     [[nodiscard]] bool areBalanced() const { return areBalanced_; }

@@ -38,6 +38,17 @@ protected:
         set_->unknowns.back().phases[0].condition = condition;
         forces_.push_back(set_->unknowns.back().symbol);
     }
+    // The force that was kept last pushes states by the factors by which their rates are in its
+    // second rate.
+    void sayParts(const std::string& owner, const std::string& steady,
+                  const std::vector<std::pair<std::string, std::string>>& factors) {
+        expression::ConditionParts parts{
+            .owner = parsed(owner), .steady = parsed(steady), .by = {}, .pushes = {}};
+        for (const auto& [state, factor] : factors)
+            parts.by.push_back({parsed(state), parsed(factor)});
+        parts.pushes = parts.by;
+        set_->unknowns.back().phases[0].condition->parts = std::move(parts);
+    }
     // The last three are the rows of friction; `levers` are those of the others, along and across.
     void rub(double coefficient, const std::vector<std::pair<std::string, std::string>>& levers) {
         expression::Friction disc{.rows = {forces_.end() - 3, forces_.end()},
@@ -54,6 +65,7 @@ protected:
             else
                 condition.friction = disc;
         }
+        forces_.clear();
     }
 
 private:
@@ -66,22 +78,59 @@ private:
 
 // Forces: n and m are the normal ones, f along, g across, c a couple.
 struct Block : Model {
-    Block() {
-        add("x", "dx");
-        add("q", "dq");
-        add("dx", "f*cos(q)-g*sin(q)");
-        add("dz", "f*sin(q)+g*cos(q)");
-        add("dq", "c-0.4*f");
-        add("dy", "n+m-9.81");
-        add("dp", "1.4*n-0.6*m-0.8*g");
+    Block() { add("", false); }
+
+protected:
+    struct None {};
+    explicit Block(None /*of these yet*/) {}
+    // Names end in `end`.
+    void add(const std::string& end, bool areParts) {
+        const auto of = [&](std::string text) {
+            for (std::size_t i = text.find('_'); i != std::string::npos; i = text.find('_', i))
+                text.replace(i, 1, end);
+            return text;
+        };
+        const auto state = [&](const char* name, const char* rate) {
+            Model::add(of(name), of(rate));
+        };
+        state("x_", "dx_");
+        state("q_", "dq_");
+        state("dx_", "f_*cos(q_)-g_*sin(q_)");
+        state("dz_", "f_*sin(q_)+g_*cos(q_)");
+        state("dq_", "c_-0.4*f_");
+        state("dy_", "n_+m_-9.81");
+        state("dp_", "1.4*n_-0.6*m_-0.8*g_");
+        const auto force = [&](const char* name, const char* rate, const std::string& second,
+                               const char* steady,
+                               const std::vector<std::pair<std::string, std::string>>& factors) {
+            keep(of(name), of(rate), of(second));
+            std::vector<std::pair<std::string, std::string>> named;
+            for (const auto& [symbol, factor] : factors)
+                named.emplace_back(of(symbol), of(factor));
+            if (areParts)
+                sayParts(of("n_"), of(steady), named);
+        };
         // Second rates, with those of the states put in.
-        const std::string y = "(n+m-9.81)", p = "(1.4*n-0.6*m-0.8*g)", q = "(c-0.4*f)";
-        keep("n", "dy+1.4*dp", y + "+1.4*" + p);
-        keep("m", "dy-0.6*dp", y + "-0.6*" + p);
-        keep("f", "dx*cos(q)+dz*sin(q)-0.4*dq", "f-0.4*" + q + "+dq*(dz*cos(q)-dx*sin(q))");
-        keep("g", "dz*cos(q)-dx*sin(q)-0.8*dp", "g-dq*(dx*cos(q)+dz*sin(q))-0.8*" + p);
-        keep("c", "dq", q);
-        rub(friction, {{"-1", "0.1*sin(x)"}, {"1", "0.2*q"}});
+        const std::string y = "(n_+m_-9.81)", p = "(1.4*n_-0.6*m_-0.8*g_)", q = "(c_-0.4*f_)";
+        force("n_", "dy_+1.4*dp_", y + "+1.4*" + p, "0", {{"dy_", "1"}, {"dp_", "1.4"}});
+        force("m_", "dy_-0.6*dp_", y + "-0.6*" + p, "0", {{"dy_", "1"}, {"dp_", "-0.6"}});
+        force("f_", "dx_*cos(q_)+dz_*sin(q_)-0.4*dq_",
+              "f_-0.4*" + q + "+dq_*(dz_*cos(q_)-dx_*sin(q_))", "dq_*(dz_*cos(q_)-dx_*sin(q_))",
+              {{"dx_", "cos(q_)"}, {"dz_", "sin(q_)"}, {"dq_", "-0.4"}});
+        force("g_", "dz_*cos(q_)-dx_*sin(q_)-0.8*dp_", "g_-dq_*(dx_*cos(q_)+dz_*sin(q_))-0.8*" + p,
+              "-dq_*(dx_*cos(q_)+dz_*sin(q_))",
+              {{"dz_", "cos(q_)"}, {"dx_", "-sin(q_)"}, {"dp_", "-0.8"}});
+        force("c_", "dq_", q, "0", {{"dq_", "1"}});
+        rub(friction, {{"-1", of("0.1*sin(x_)")}, {"1", of("0.2*q_")}});
+    }
+};
+
+// So many that their conditions are composed, where they say their parts.
+template <bool areParts> struct Blocks : Block {
+    static constexpr std::size_t count = leastComposed / 5 + 1;
+    Blocks() : Block(None{}) {
+        for (std::size_t i = 0; i < count; ++i)
+            add(std::to_string(i), areParts);
     }
 };
 
@@ -124,13 +173,16 @@ struct Post : Model {
 // It holds its normal conditions, and slips.
 template <class Of> class Sliding {
 public:
-    explicit Sliding(std::size_t normals) {
+    explicit Sliding(std::size_t normals, std::size_t things = 1) {
         Preparation how;
         how.whole = how.everyState = true;
         prepared_.emplace(model_.set(), how);
         equations_.emplace(prepared_->components.at(0).bound, histories_);
-        std::vector<double> kept(normals, 1); // as histories keep it
-        kept.insert(kept.end(), 3, 2);
+        std::vector<double> kept; // as histories keep it
+        for (std::size_t i = 0; i < things; ++i) {
+            kept.insert(kept.end(), normals, 1);
+            kept.insert(kept.end(), 3, 2);
+        }
         equations_->takeKept(kept);
     }
     ComponentEquations* operator->() { return &*equations_; }
@@ -224,6 +276,27 @@ TEST(SlipForces, ATallPostThatTurnsIsInBalance) {
         EXPECT_NEAR(m[6], force[2] + ofX * force[0] + ofZ * force[1], 1e-7);
         EXPECT_LT(post.errorOfJacobian(y), 1e-6) << turning;
     }
+}
+
+// Their conditions are put together from blocks: rates, forces and derivatives are the same.
+TEST(SlipForces, BlocksOfManyConditionsSlideAsOneExpressionDoes) {
+    using Whole = Blocks<false>;
+    Sliding<Blocks<true>> blocks(2, Whole::count);
+    Sliding<Whole> whole(2, Whole::count);
+    ASSERT_TRUE(blocks->isComposed());
+    ASSERT_FALSE(whole->isComposed());
+    std::vector<double> y;
+    for (std::size_t i = 0; i < Whole::count; ++i) {
+        const double at = static_cast<double>(i);
+        y.insert(y.end(), {0.7 + at, 0.3, 0.4, -0.2 * at, 0.9 - 0.3 * at, 0, 0});
+    }
+    blocks->takeSlips(0, y);
+    whole->takeSlips(0, y);
+    const std::vector<double> ofBlocks = blocks.ratesAt(y), ofWhole = whole.ratesAt(y);
+    for (std::size_t i = 0; i < y.size(); ++i)
+        EXPECT_NEAR(ofBlocks[i], ofWhole[i], 1e-11) << i;
+    EXPECT_LT(blocks.errorOfJacobian(y), 1e-7);
+    EXPECT_LT(whole.errorOfJacobian(y), 1e-7);
 }
 
 } // namespace
