@@ -67,7 +67,7 @@ struct Composition {
 
 // From how many multipliers on the conditions of a component are composed: fewer are one
 // expression, whose code is the fastest where it stays.
-inline constexpr std::size_t leastComposed = 20;
+inline constexpr std::size_t leastComposed = 8;
 
 class Composer {
 public:
