@@ -262,11 +262,9 @@ bool ActiveSet::cross(std::span<const std::size_t> watches, double t, std::span<
     const std::vector<double> moving(y.begin(), y.end());
     const Mode ended = mode_;
     const double slowest = slowest_;
-    std::vector<SlowSlip> slow;
-    if (!stopped.empty())
-        slow = slowSlips(stopped);
+    std::vector<SlowSlip> slow = slowSlips(stopped);
     bool isDone = settleWith(hit, candidates, stopped, t, y, rates);
-    while (stopNext(slow, stopped, slowest, isDone, t, y)) {
+    while ((!isDone || !stopped.empty()) && stopNext(slow, stopped, slowest, isDone, t, y)) {
         std::ranges::copy(moving, y.begin());
         mode_ = ended;
         slowest_ = slowest;

@@ -26,7 +26,8 @@
 //
 // LIMIT: of several other answers the one is taken that the search finds first. A contact that the
 // impact of a jam parts may stay closed until the next event. Forces of a jam that are over ten
-// times the loads count as an impact, and after eight impacts at an instant the motion ends.
+// times the loads count as an impact, and after eight impacts at an instant the motion ends. A step
+// of a jam that takes slow slips to rest changes velocities by up to a thousandth of the fastest.
 //
 // A contact that a blow of its source leaves parting, and that its load brings back from no higher
 // than its `hop`, closes at once. One that has fallen from there closes without such a blow, and
@@ -216,9 +217,10 @@ private:
         std::vector<std::size_t> held = {}, slipped = {}; // rows, discs
         Known known = {};
     };
-    // None: the laws of the step have no answer, or nothing moves.
-    [[nodiscard]] std::optional<JamStep> jamStep(std::span<const std::size_t> candidates, double t,
-                                                 std::span<double> y);
+    // None: the laws of the step have no answer, or nothing moves. Its duration is that part of the
+    // time in which the strongest brake would stop the fastest.
+    [[nodiscard]] std::optional<JamStep> jamStep(std::span<const std::size_t> candidates,
+                                                 double part, double t, std::span<double> y);
     [[nodiscard]] bool mayHold(std::size_t disc, std::span<const std::size_t> fallen,
                                double fastest) const;
     // `slipping`: discs that slip, though they have no velocity yet.

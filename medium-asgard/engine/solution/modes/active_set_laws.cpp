@@ -3,6 +3,7 @@
 #include "complementarity/solve.h"
 #include "modes/active_set.h"
 #include "modes/closing_impulses.h"
+#include "modes/forces_within.h"
 
 #include <algorithm>
 #include <cmath>
@@ -211,45 +212,6 @@ void ActiveSet::openUnpressed() {
             }))
             setDisc(disc, State::low);
 }
-
-namespace {
-
-bool isHeldAtEdge(const Law& disc, const Answer& answer, std::size_t k, double none) {
-    return disc.kind == Law::Kind::disc && answer.states[k] == State::edge &&
-           answer.rates.segment(disc.first, disc.rows).norm() <= none;
-}
-
-// Redundant forces may hold a disc in many ways, of which the answer has one at the edge. Forces
-// within it last: those of the same laws with less friction there.
-void holdWithin(const Eigen::MatrixXd& a, const Eigen::VectorXd& b, const Laws& laws,
-                Answer& answer) {
-    constexpr double rounding = 1e-9;
-    const double none = rounding * b.cwiseAbs().maxCoeff();
-    std::vector<std::size_t> held;
-    for (std::size_t k = 0; k < laws.size(); ++k)
-        if (isHeldAtEdge(laws[k], answer, k, none))
-            held.push_back(k);
-    for (const double less : {0.2, 0.02}) {
-        if (held.empty())
-            return;
-        Laws narrow = laws;
-        for (const std::size_t k : held)
-            narrow[k].coefficient *= 1 - less;
-        const auto within = complementarity::solve(a, b, narrow, answer);
-        const bool holds = within && std::ranges::all_of(held, [&](std::size_t k) {
-                               return within->states[k] == State::inside ||
-                                      isHeldAtEdge(narrow[k], *within, k, none);
-                           });
-        if (!holds)
-            continue;
-        answer = *within;
-        for (const std::size_t k : held)
-            answer.states[k] = State::inside;
-        return;
-    }
-}
-
-} // namespace
 
 template <typename Visit> void ActiveSet::onUpperSides(Visit&& visit) {
     if (f_.weights().size() != mode_.sliding.size()) // they were not possible
@@ -491,22 +453,33 @@ bool isTurned(const Law& disc, const Eigen::VectorXd& from, const Answer& answer
 // The laws of a next to empty step have an answer: impulses of contacts, with friction against the
 // velocities at its end (Moreau 1988, "Unilateral contact and dry friction in finite freedom
 // dynamics"). Where there are forces, the impulses are theirs, and change next to nothing; where
-// there are none, they are those of the impact. Behind an impact bodies may jam again.
+// there are none, they are those of the impact. Behind an impact bodies may jam again. Slips that
+// are next to none may have no forces on their ways where a longer step takes them to rest.
 bool ActiveSet::endJam(std::span<const std::size_t> candidates, double t, std::span<double> y,
                        std::span<const double> rates) {
     constexpr int mostBlows = 8;
+    constexpr double shortest = 1e-6, longest = 1e-3, longer = 10;
     const Mode before = mode_;
     const std::vector<double> moving(y.begin(), y.end());
     std::vector<std::size_t> held(candidates.begin(), candidates.end()), slipped;
     bool isDone = false;
-    for (int blows = 0; blows < mostBlows && !isDone; ++blows) {
-        const std::optional<JamStep> step = jamStep(held, t, y);
+    double part = shortest;
+    for (int blows = 0; blows < mostBlows && part < 2 * longest && !isDone;) {
+        const Mode from = mode_;
+        const std::vector<double> behind(y.begin(), y.end());
+        const std::optional<JamStep> step = jamStep(held, part, t, y);
         if (!step)
             break;
         if (!step->isImpact) {
             isDone = settle(held, 0, t, y, &step->known) && hasForces(t, y);
-            break;
+            if (!isDone) {
+                mode_ = from;
+                std::ranges::copy(behind, y.begin());
+                part *= longer;
+            }
+            continue;
         }
+        ++blows;
         held.assign(candidates.begin(), candidates.end());
         held.insert(held.end(), step->held.begin(), step->held.end());
         std::ranges::copy_if(step->slipped, std::back_inserter(slipped), [&](std::size_t disc) {
@@ -543,8 +516,7 @@ void ActiveSet::settleAgain(std::span<const std::size_t> candidates, double t, s
 // With an impact, y and the rows that it holds; else the forces, and slips on the way that they
 // give.
 std::optional<ActiveSet::JamStep> ActiveSet::jamStep(std::span<const std::size_t> candidates,
-                                                     double t, std::span<double> y) {
-    constexpr double part = 1e-6; // of the time in which the strongest brake would stop the fastest
+                                                     double part, double t, std::span<double> y) {
     f_.fill(t, y);
     multipliers_.evaluateGaps();
     Rows rows = rowsFor(candidates, 0, std::vector<char>(discs().size(), 0));
@@ -582,7 +554,7 @@ std::optional<ActiveSet::JamStep> ActiveSet::jamStep(std::span<const std::size_t
     answer->forces /= step;
     take(rows, *answer, 0);
     jam.known.forces = std::exchange(mode_.share.forces, {});
-    // A slip that the step turns is next to none: it goes on the way of its end.
+    // A slip that the step turns or ends is next to none: it goes on the way of its end, or rests.
     std::vector<std::size_t> turned;
     for (const Law& of : rows.laws)
         if (const auto disc = law(rows.rows[static_cast<std::size_t>(of.first)]).disc;
@@ -593,6 +565,7 @@ std::optional<ActiveSet::JamStep> ActiveSet::jamStep(std::span<const std::size_t
                 setSlip(*disc);
         }
     halt(turned, t, y);
+    multipliers_.project(t, y);
     jam.known.kept = mode_.kept;
     return jam;
 }

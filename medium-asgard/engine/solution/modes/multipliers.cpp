@@ -12,7 +12,7 @@ using complementarity::State;
 namespace {
 
 // Of the size of what a condition joins: its resolution; one without any is of a thing of size 1.
-constexpr double resolved = 1e-9;
+constexpr double resolvedOfSize = 1e-9;
 
 Eigen::Index indexOf(std::size_t i) { return static_cast<Eigen::Index>(i); }
 
@@ -43,7 +43,7 @@ double Multipliers::bound(std::size_t row) const {
 // Places of the point off the conditions that hold, over the sizes of what these join.
 double Multipliers::placesOff() {
     evaluateGaps();
-    return resolved * largestGap();
+    return resolvedOfSize * largestGap();
 }
 
 // The most of the second rates of redundant conditions, scaled, that is left because places and
@@ -416,7 +416,7 @@ double Multipliers::largestGap() const {
         if (!holds(row))
             continue;
         const double resolution = f_.bound()->laws[row].resolution;
-        const double gap = std::abs(gaps_[row]) / (resolution > 0 ? resolution : resolved);
+        const double gap = std::abs(gaps_[row]) / (resolution > 0 ? resolution : resolvedOfSize);
         if (!(gap <= largest)) // no number stays
             largest = gap;
     }
