@@ -66,6 +66,7 @@ private:
     [[nodiscard]] std::optional<double> endBeforeContact(const StateCurves& curves);
     [[nodiscard]] Ending underflow(Attempt::Outcome outcome, double h) const;
     [[nodiscard]] std::optional<Proposal> acrossSwitch(double h);
+    [[nodiscard]] std::optional<Proposal> acrossWay(double across);
     [[nodiscard]] std::optional<Violation> switchesHere() const;
     [[nodiscard]] std::optional<Proposal> toLastRate(double h);
     [[nodiscard]] std::optional<Ending> reconsider();
