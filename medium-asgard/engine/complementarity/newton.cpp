@@ -1,5 +1,6 @@
 #include "complementarity/newton.h"
 
+#include "complementarity/at_centre.h"
 #include "complementarity/least.h"
 
 #include <algorithm>
@@ -8,30 +9,6 @@
 namespace complementarity {
 
 namespace {
-
-// The force of a disc at the centre of its normal forces, with what that follows from.
-struct AtCentre {
-    AtCentre(const Law& disc, const Vector& forces)
-        : centre(centreOf(disc, forces)),
-          force(forcesAt(centre, forces.segment(disc.first, disc.rows))),
-          byRows(Matrix::Identity(disc.rows, disc.rows)),
-          moves(Matrix::Zero(disc.rows - 1, disc.normal < 0 ? 0 : disc.normals)),
-          byNormals(Matrix::Zero(disc.rows, moves.cols())) {
-        const Index last = disc.rows - 1;
-        byRows.row(last).head(last) = -centre.transpose();
-        if (disc.levers.size() == 0)
-            return;
-        const double pressed = forces.segment(disc.normal, disc.normals).sum();
-        if (pressed > 0)
-            moves = (disc.levers.colwise() - centre) / pressed;
-        byNormals.row(last) = -forces.segment(disc.first, last).transpose() * moves;
-    }
-
-    Vector centre, force;
-    Matrix byRows;    // changes of the force with the rows of the disc
-    Matrix moves;     // changes of the centre with each normal force
-    Matrix byNormals; // changes of the force with each normal force
-};
 
 // Unknown: the forces of the laws inside and at edges, then for each edge s times its radius. Those
 // of slips follow from their normal forces.
@@ -175,43 +152,19 @@ private:
         });
     }
 
-    // The force of a slip at its centre is  -r d  with the direction d there.
     void followSlips() {
-        for (const std::size_t k : slips_) {
-            const Law& law = laws_[k];
-            const Vector centre = centreOf(law, forces_);
-            forces_.segment(law.first, law.rows) =
-                forcesFrom(centre, -radiusOf(law, forces_) * directionAt(centre, law));
-        }
+        for (const std::size_t k : slips_)
+            forces_.segment(laws_[k].first, laws_[k].rows) = forceOf(laws_[k], forces_);
     }
 
     // Adds to the changes of rates with each normal force what the force of a slip brings.
     void addSlip(const Law& law, Eigen::Ref<Matrix> rates) const {
-        if (pulls(law)) // no force follows; where they are just 0, that of a press does
-            return;
-        const AtCentre at(law, forces_);
-        const double radius = radiusOf(law, forces_);
-        const Vector velocity = ratesAt(at.centre, law.velocity) + law.beside;
-        const double speed = std::max(velocity.norm(), 1e-300);
-        const Vector direction = velocity / speed, ahead = -radius * direction;
-        const Index last = law.rows - 1;
         const Matrix columns = a_.middleCols(law.first, law.rows)(rows_, Eigen::all);
-        eachNormal(law, [&](Index n, Index normal) {
-            Vector moved = Vector::Zero(law.rows); // of the velocity
-            moved.head(last) = law.velocity[last] * at.moves.col(n);
-            const Vector turned = (moved - direction.dot(moved) * direction) / speed;
-            Vector force = forcesFrom(at.centre, -law.coefficient * direction - radius * turned);
-            force[last] += at.moves.col(n).dot(ahead.head(last));
-            rates.col(normal) += columns * force;
-        });
+        const Matrix changes = changesOf(law, forces_);
+        eachNormal(law,
+                   [&](Index n, Index normal) { rates.col(normal) += columns * changes.col(n); });
     }
 
-    // The sum of its normal forces.
-    [[nodiscard]] bool pulls(const Law& disc) const {
-        return disc.normal >= 0 &&
-               disc.radius + disc.coefficient * forces_.segment(disc.normal, disc.normals).sum() <
-                   0;
-    }
     template <class Visit> void eachNormal(const Law& law, const Visit& visit) const {
         for (Index n = 0; law.normal >= 0 && n < law.normals; ++n)
             if (const Index normal = placeOf(law.normal + n); normal >= 0)
