@@ -5,6 +5,7 @@
 #include "complementarity/least.h"
 #include "complementarity/newton.h"
 #include "complementarity/search.h"
+#include "complementarity/together.h"
 #include "complementarity/widened.h"
 
 #include <algorithm>
@@ -80,6 +81,18 @@ public:
         if (found)
             found = whole(centres, *found);
         return found;
+    }
+
+    // At the centres of these forces, with a pull to them.
+    [[nodiscard]] Answer pulledTo(const Answer& last, double pull, Work& counts) const {
+        const Vector centres = centresOf(last.forces);
+        auto [a, b] = problemAt(centres);
+        const Vector firm = pull * a.diagonal().cwiseAbs();
+        b -= firm.cwiseProduct(guessAt(centres, last).forces);
+        a.diagonal() += firm;
+        const Approach inside = approachTogether(a, b, others_);
+        counts.steps += inside.steps;
+        return whole(centres, endOf(a, b, others_, inside));
     }
 
     [[nodiscard]] Answer whole(const Vector& centres, const Answer& others) const {
@@ -184,6 +197,63 @@ Vector withoutDiscs(const Matrix& a, const Vector& b, const Laws& laws) {
         forces(rows) = answer->forces;
     return forces;
 }
+
+// From the end of a path on which centres follow. Then rounds at the centres of the last one: a
+// pull holds the forces where they were, so that a wall keeps the way in which its bricks share
+// them, and what is wrong falls many times a round. Faces with a tilt leave forces no rest: the
+// pull grows.
+class FromTogether {
+public:
+    FromTogether(const AtCentres& at, const Matrix& a, const Vector& b, const Laws& laws,
+                 Work& counts)
+        : at_(at), a_(a), b_(b), laws_(laws), counts_(counts) {}
+
+    std::optional<Answer> solve() {
+        constexpr int most = 12;
+        constexpr double weakest = 1e-3, strongest = 1, more = 10, half = 0.5;
+        const Approach inside = approachTogether(a_, b_, laws_);
+        counts_.steps += inside.steps;
+        Answer last = endOf(a_, b_, laws_, inside);
+        take(last);
+        if (isExact(around(a_, b_, laws_, last, counts_)))
+            return exact_;
+        double pull = weakest;
+        for (int round = 0; round < most && pull <= strongest && least_ > hardly; ++round) {
+            ++counts_.pulls;
+            last = at_.pulledTo(last, pull, counts_);
+            const double before = least_;
+            take(last);
+            if (least_ > half * before)
+                pull *= more;
+        }
+        if (isExact(around(a_, b_, laws_, best_, counts_)) ||
+            isExact(pulledFrom(a_, b_, laws_, best_, counts_)))
+            return exact_;
+        return std::nullopt;
+    }
+
+private:
+    void take(const Answer& answer) {
+        const double faulty = violation(a_, b_, laws_, answer);
+        if (faulty >= least_)
+            return;
+        best_ = answer;
+        least_ = faulty;
+    }
+    [[nodiscard]] bool isExact(std::optional<Answer> answer) {
+        exact_ = std::move(answer);
+        return exact_ && violation(a_, b_, laws_, *exact_) <= hardly;
+    }
+
+    const AtCentres& at_;
+    const Matrix& a_;
+    const Vector& b_;
+    const Laws& laws_;
+    Work& counts_;
+    Answer best_ = {};
+    std::optional<Answer> exact_ = {};
+    double least_ = unbounded;
+};
 
 // From centre to centre, beginning with these.
 class FromCentres {
@@ -328,6 +398,13 @@ std::optional<Answer> solveFromCentres(const Matrix& a, const Vector& b, const L
                                        const Answer& guess, Work& counts) {
     const AtCentres at(a, b, laws);
     const bool hasGuess = guess.forces.size() == b.size();
+    if (hasGuess && guess.states.size() == laws.size())
+        if (auto found = around(a, b, laws, guess, counts);
+            found && violation(a, b, laws, *found) <= hardly)
+            return found;
+    if (!at.others().empty())
+        if (auto found = FromTogether(at, a, b, laws, counts).solve())
+            return found;
     const Vector start = at.centresOf(hasGuess ? guess.forces : withoutDiscs(a, b, laws));
     // The centres that forces without friction have may lie far from all answers. One start may
     // wander where another is there in a few rounds: first each has few of them.

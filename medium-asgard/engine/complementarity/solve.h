@@ -6,9 +6,10 @@
 // what held goes on holding where it can; then those to which an interior point method leads, those
 // of pivots where each disc has one row that moves, a pull to the last answer that fades, and
 // sweeps where A is symmetric; of few laws at last all states. Discs and slips with levers are
-// solved at the centres of the last answer; where that answer leads, Newton's method looks for one
-// that keeps the laws at its own centres, and then the fading pull. If none comes to an end,
-// friction grows from none to its own.
+// tried at the states of the guess, then at the end of a path on which the centres follow; else
+// they are solved at the centres of the last answer; where that answer leads, Newton's method looks
+// for one that keeps the laws at its own centres, and then the fading pull. If none comes to an
+// end, friction grows from none to its own.
 //
 // Of answers that all but keep the laws (1e-8) the nearest counts where there is no better one:
 // faces that lie on each other with a tilt leave as much. Under 1e-9 no slow way looks for a better
@@ -26,7 +27,7 @@ namespace complementarity {
 
 struct Work {       // counts of the last solve, for tests and reports
     int rounds = 0; // of centres
-    int steps = 0;  // of the interior point method
+    int steps = 0;  // of the interior point methods
     int pulls = 0;  // to the last answer
     int sweeps = 0;
     int tries = 0; // choices of states
