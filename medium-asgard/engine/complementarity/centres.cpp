@@ -217,6 +217,8 @@ public:
         take(last);
         if (isExact(around(a_, b_, laws_, last, counts_)))
             return exact_;
+        if (least_ == unbounded) // the path has no number
+            return std::nullopt;
         double pull = weakest;
         for (int round = 0; round < most && pull <= strongest && least_ > hardly; ++round) {
             ++counts_.pulls;
@@ -235,7 +237,7 @@ public:
 private:
     void take(const Answer& answer) {
         const double faulty = violation(a_, b_, laws_, answer);
-        if (faulty >= least_)
+        if (!(faulty < least_))
             return;
         best_ = answer;
         least_ = faulty;
@@ -428,7 +430,7 @@ std::optional<Answer> solveFromCentres(const Matrix& a, const Vector& b, const L
 }
 
 std::optional<Answer> solveBesideCentres(const Matrix& a, const Vector& b, const Laws& laws) {
-    constexpr int most = 10, mostHeld = 40; // convex problems while centres move, and then
+    constexpr int most = 10, mostHeld = 200; // convex problems while centres move, and then
     constexpr double settled = 1e-8, close = 1e-3, hardly = 1e-9, part = 0.5;
     const auto isSlip = [](const Law& law) { return law.kind == Law::Kind::slip; };
     if (std::ranges::any_of(laws, isSlip) || !isSymmetric(a))

@@ -20,7 +20,7 @@ public:
     [[nodiscard]] const Vector& at() const { return at_; }
     // From f(at()).
     void moveFrom(const Vector& value, const Vector& weights) {
-        constexpr double longest = 10; // times the step to f(x)
+        constexpr double longest = 30; // times the step to f(x)
         const Vector step = value - at_;
         if (lastStep_.size() > 0) {
             const Eigen::Index room = std::min<Eigen::Index>(kept, at_.size());
