@@ -194,8 +194,12 @@ Proposal Integration::propose() {
         if (auto piece = rest_.arrive(method_ ? proposed : longestFirst()))
             return *piece;
     if (!method_)
-        if (auto ending = beginMethod())
+        if (auto ending = beginMethod()) {
+            dropMethod();
+            if (auto piece = switchHere())
+                return *piece;
             return std::move(*ending);
+        }
     if (turns_.stop)
         if (auto piece = toStop(*turns_.stop))
             return *piece;
@@ -279,11 +283,8 @@ std::optional<Proposal> Integration::refuse(const Attempt& attempt, double h) {
     }
     proposed = 0; // what was refused says nothing of what comes behind
     if (comesToEnd) {
-        found_ = switchesHere();
-        if (found_)
-            return StepPiece{.curves = {{}, context_.time(), 1, context_.time()},
-                             .kind = StepPiece::Kind::nothing,
-                             .crossing = &*found_};
+        if (auto piece = switchHere())
+            return *piece;
         if (auto across = acrossSwitch(h))
             return across;
     }
@@ -493,6 +494,15 @@ std::optional<Violation> Integration::switchesHere() const {
     if (violation.watches.empty())
         return std::nullopt;
     return violation;
+}
+
+std::optional<StepPiece> Integration::switchHere() {
+    found_ = switchesHere();
+    if (!found_)
+        return std::nullopt;
+    return StepPiece{.curves = {{}, context_.time(), 1, context_.time()},
+                     .kind = StepPiece::Kind::nothing,
+                     .crossing = &*found_};
 }
 
 // A motion without a rate from some time on, as sqrt(1-t), goes along its rates to the last time at

@@ -68,6 +68,7 @@ private:
     [[nodiscard]] std::optional<Proposal> acrossSwitch(double h);
     [[nodiscard]] std::optional<Proposal> acrossWay(double across);
     [[nodiscard]] std::optional<Violation> switchesHere() const;
+    [[nodiscard]] std::optional<StepPiece> switchHere();
     [[nodiscard]] std::optional<Proposal> toLastRate(double h);
     [[nodiscard]] std::optional<Ending> reconsider();
     [[nodiscard]] double spectralRadius();
