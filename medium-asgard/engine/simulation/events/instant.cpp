@@ -56,36 +56,59 @@ bool runsAlong(const Colliders& world, std::size_t body, int axis) {
 
 std::optional<MotionPlane> Instant::planeOf(std::span<const std::size_t> bodies,
                                             const ChangedStates& changed) const {
+    for (const int axis : {2, 1, 0}) {
+        const auto staysIn = [&](std::size_t body) {
+            return world.isFixed(body) || (!isDrivenAlong(body, axis) && sleepsAcross(body, axis));
+        };
+        if (!std::ranges::all_of(bodies, staysIn))
+            continue;
+        if (const auto at = placeAlong(bodies, axis);
+            at && !isAnyChangedAcross(bodies, changed, axis))
+            return MotionPlane{.axis = axis, .at = *at};
+    }
+    return std::nullopt;
+}
+
+// Its motion out of the plane across that axis is 0, and stays so.
+bool Instant::sleepsAcross(std::size_t body, int axis) const {
     using namespace physics;
+    const std::size_t first = world.records[body].firstUnknown;
+    const auto sleepsAt = [&](std::size_t unknown) {
+        return sleeps(histories, first + unknown, time);
+    };
+    bool isAsleep = sleepsAt(dx + static_cast<std::size_t>(axis));
+    for (std::size_t k = 0; k < 3 && isAsleep; ++k)
+        isAsleep = static_cast<int>(k) == axis || (sleepsAt(qx + k) && sleepsAt(w1 + k));
+    return isAsleep;
+}
+
+// None: of bodies at several places, or of fixed bodies alone.
+std::optional<double> Instant::placeAlong(std::span<const std::size_t> bodies, int axis) const {
+    std::optional<double> at;
+    for (const std::size_t body : bodies) {
+        if (world.isFixed(body))
+            continue;
+        const double place = stateOf(body).position[axis];
+        if (at && *at != place)
+            return std::nullopt;
+        at = place;
+    }
+    return at;
+}
+
+bool Instant::isAnyChangedAcross(std::span<const std::size_t> bodies, const ChangedStates& changed,
+                                 int axis) const {
     constexpr double ofSpeeds = 1e-9; // that enter a blow
     double rounding = 0;
     for (const auto& [body, after] : changed)
         for (const BodyState& state : {stateOf(body), after})
             rounding = std::max(rounding,
                                 ofSpeeds * simulation::speedOf(state, world.records[body].radius));
-    for (const int axis : {2, 1, 0}) {
-        std::optional<double> at;
-        bool isIn = true;
-        for (const std::size_t body : bodies) {
-            if (world.isFixed(body) || !isIn)
-                continue;
-            isIn = !isDrivenAlong(body, axis);
-            const std::size_t first = world.records[body].firstUnknown;
-            isIn = isIn && sleeps(histories, first + dx + static_cast<std::size_t>(axis), time);
-            for (std::size_t k = 0; k < 3; ++k)
-                if (static_cast<int>(k) != axis)
-                    isIn = isIn && sleeps(histories, first + qx + k, time) &&
-                           sleeps(histories, first + w1 + k, time);
-            if (const auto after = changed.find(body); after != changed.end())
-                isIn = isIn && !leaves(after->second, axis, world.records[body].radius, rounding);
-            const double place = stateOf(body).position[axis];
-            isIn = isIn && (!at || *at == place);
-            at = place;
-        }
-        if (isIn && at)
-            return MotionPlane{.axis = axis, .at = *at};
-    }
-    return std::nullopt;
+    return std::ranges::any_of(bodies, [&](std::size_t body) {
+        const auto after = changed.find(body);
+        return !world.isFixed(body) && after != changed.end() &&
+               leaves(after->second, axis, world.records[body].radius, rounding);
+    });
 }
 
 // A belt near by drives what comes to lie on it, or it drives itself so. LIMIT: no belt turns out

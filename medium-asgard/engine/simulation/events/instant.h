@@ -58,6 +58,11 @@ struct Instant {
 
 private:
     [[nodiscard]] bool isDrivenAlong(std::size_t body, int axis) const;
+    [[nodiscard]] bool sleepsAcross(std::size_t body, int axis) const;
+    [[nodiscard]] std::optional<double> placeAlong(std::span<const std::size_t> bodies,
+                                                   int axis) const;
+    [[nodiscard]] bool isAnyChangedAcross(std::span<const std::size_t> bodies,
+                                          const ChangedStates& changed, int axis) const;
 };
 
 } // namespace simulation

@@ -52,9 +52,10 @@ void ActiveSet::refresh() {
             watchRow(row);
     for (std::size_t disc = 0; disc < discs().size(); ++disc)
         watchDisc(disc);
-    const auto turns = std::ranges::find(watches_, Kind::turn, &Watch::kind);
-    if (turns != watches_.end())
-        watches_.push_back({turns->row, Kind::folded});
+    const auto held = std::ranges::find_if(
+        bounded_, [this](std::size_t row) { return isContact(row) && holds(row); });
+    if (held != bounded_.end())
+        watches_.push_back({*held, Kind::unsolved});
 }
 
 void ActiveSet::watchRow(std::size_t row) {
@@ -87,7 +88,7 @@ void ActiveSet::watchDisc(std::size_t disc) {
 
 std::size_t ActiveSet::rowOf(std::size_t watch) const {
     const auto [row, kind, confine] = watches_[watch];
-    const bool isOfDisc = kind == Kind::cone || kind == Kind::turn || kind == Kind::folded;
+    const bool isOfDisc = kind == Kind::cone || kind == Kind::turn;
     return isOfDisc ? discs()[row].rows[0] : row;
 }
 
@@ -100,14 +101,15 @@ void ActiveSet::watch(std::span<double> values) {
         for (const double m : multipliers_.values())
             largest_ = std::max(largest_, std::abs(m));
     for (std::size_t k = 0; k < watches_.size(); ++k) {
-        const bool isKnown = multipliers_.areBalanced() || !readsForces(k);
-        values[k] = isKnown || watches_[k].kind == Kind::folded ? valueOf(watches_[k]) : 1;
+        const bool isKnown = multipliers_.areFound() || !readsForces(k);
+        values[k] = isKnown || watches_[k].kind == Kind::unsolved ? valueOf(watches_[k]) : 1;
     }
 }
 
 bool ActiveSet::readsForces(std::size_t watch) const {
     const Kind kind = watches_[watch].kind;
-    return kind == Kind::least || kind == Kind::most || kind == Kind::cone || kind == Kind::folded;
+    return kind == Kind::least || kind == Kind::most || kind == Kind::cone ||
+           kind == Kind::unsolved;
 }
 
 bool ActiveSet::isOfPlaces(std::size_t watch) const {
@@ -151,8 +153,8 @@ double ActiveSet::valueOf(const Watch& watch) const {
     switch (kind) {
     case Kind::cone:
         return beyondRounding(multipliers_.friction().leewayOf(row, multipliers_.values()));
-    case Kind::folded:
-        return multipliers_.areBalanced() ? 1 : -1;
+    case Kind::unsolved:
+        return multipliers_.areFound() ? 1 : -1;
     case Kind::turn: // others may hold it at rest, but for rounding
         return multipliers_.friction().aheadOf(row);
     case Kind::gap:
@@ -247,7 +249,7 @@ bool ActiveSet::cross(std::span<const std::size_t> watches, double t, std::span<
     ahead_ = t > lastCross_ ? part * (t - lastCross_) : std::max(more * ahead_, shortest(t));
     f_.fill(t, y);
     (void)solve();
-    const bool isKnown = multipliers_.areBalanced();
+    const bool isKnown = multipliers_.areFound();
     slowest_ = slowestOf(y, isKnown ? multipliers_.weight() : 0);
     multipliers_.evaluateGaps();
     for (std::size_t disc = 0; disc < discs().size() && isKnown; ++disc)
@@ -257,7 +259,7 @@ bool ActiveSet::cross(std::span<const std::size_t> watches, double t, std::span<
     const Mode before = mode_;
     std::vector<std::size_t> fallen(watches.begin(), watches.end());
     addClosing(fallen, t);
-    auto [candidates, hit, stopped, isFolded] = endBy(fallen, elapsed);
+    auto [candidates, hit, stopped, isUnsolved] = endBy(fallen, elapsed);
     land(fallen, t, y);
     const std::vector<double> moving(y.begin(), y.end());
     const Mode ended = mode_;
@@ -270,7 +272,7 @@ bool ActiveSet::cross(std::span<const std::size_t> watches, double t, std::span<
         slowest_ = slowest;
         isDone = settleWith(hit, candidates, stopped, t, y, rates);
     }
-    if (isDone && isFolded)
+    if (isDone && isUnsolved)
         isDone = hasForces(t, y);
     // No forces hold the slips that were slow: they go on.
     if (!isDone && slow_.part > 0 && !stopped.empty()) {
@@ -303,8 +305,8 @@ ActiveSet::Ended ActiveSet::endBy(std::span<const std::size_t> fallen, double el
                              (kind == Kind::gap && isContact(row) && !hasFallenLow(row));
         if (isEnded)
             mode_.kept[row] = Mode::gone;
-        else if (kind == Kind::folded)
-            ended.isFolded = true;
+        else if (kind == Kind::unsolved)
+            ended.isUnsolved = true;
         else if (kind == Kind::turn && hasStopped(row, elapsed))
             ended.stopped.push_back(row);
         else if (kind == Kind::cone)
@@ -316,7 +318,7 @@ ActiveSet::Ended ActiveSet::endBy(std::span<const std::size_t> fallen, double el
         if (kind == Kind::gap && !isContact(row))
             ended.hit.push_back(row);
     }
-    if (ended.isFolded)
+    if (ended.isUnsolved)
         for (const SlowSlip& slip : slowSlips(ended.stopped))
             ended.stopped.push_back(slip.disc);
     return ended;

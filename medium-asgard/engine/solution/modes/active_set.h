@@ -120,9 +120,9 @@ private:
     [[nodiscard]] static double hopOf(double rate, double second) {
         return second < 0 ? rate * rate / (-2 * second) : complementarity::unbounded;
     }
-    enum class Kind { gap, least, most, forward, backward, parted, invalid, cone, turn, folded };
+    enum class Kind { gap, least, most, forward, backward, parted, invalid, cone, turn, unsolved };
     struct Watch {
-        std::size_t row; // of cone, turn and folded: the disc
+        std::size_t row; // of cone and turn: the disc; of unsolved: any that holds
         Kind kind;
         std::uint32_t confine = 0; // of invalid: which
     };
@@ -140,6 +140,9 @@ private:
     [[nodiscard]] std::span<const BoundModel::Disc> discs() const { return f_.bound()->discs; }
     [[nodiscard]] bool isStop(std::size_t row) const;
     [[nodiscard]] bool isContact(std::size_t row) const { return law(row).leaving.has_value(); }
+    [[nodiscard]] bool holds(std::size_t row) const {
+        return mode_.kept[row] == complementarity::State::inside;
+    }
     [[nodiscard]] bool isGone(std::size_t row) const { return mode_.kept[row] == Mode::gone; }
     void beginEvent(double t);
     void noteOpened(std::span<const complementarity::State> before, double t,
@@ -166,11 +169,11 @@ private:
                                 std::span<double> y);
     void give(std::span<const std::size_t> hit, std::span<const std::size_t> shut,
               std::span<const double> restitutions, double t, std::span<double> y);
-    // By fallen watches: what may hold from here on, takes a blow, and has come to rest. Folded: no
-    // forces of the slips follow themselves any more, and slow slips rest.
+    // By fallen watches: what may hold from here on, takes a blow, and has come to rest. Unsolved:
+    // no forces were found that keep what holds, and slow slips rest.
     struct Ended {
         std::vector<std::size_t> candidates = {}, hit = {}, stopped = {};
-        bool isFolded = false;
+        bool isUnsolved = false;
     };
     [[nodiscard]] Ended endBy(std::span<const std::size_t> fallen, double elapsed);
     [[nodiscard]] bool hasForces(double t, std::span<const double> y);

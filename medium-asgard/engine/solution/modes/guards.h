@@ -56,7 +56,7 @@ public:
     // All of them are of the active set, and read forces.
     [[nodiscard]] bool readForces(const Violation& violation) const;
     // Forces were found at the last watch().
-    [[nodiscard]] bool knowForces() const { return field_.multipliers().areBalanced(); }
+    [[nodiscard]] bool knowForces() const { return field_.multipliers().areFound(); }
     // A contact has closed, or lost its place.
     [[nodiscard]] bool isOfPlaces(const Violation& violation) const;
     // It does not do so at the point of the functions.

@@ -158,7 +158,7 @@ bool Multipliers::solveWith(std::span<double> outputs) {
         return false;
     std::copy_n(values, outputs.size(), outputs.begin());
     std::copy_n(values + forces, size(), std::span(f_.in()).last(size()).begin());
-    areBalanced_ = true;
+    areFound_ = true;
     atOnce_.isLast = true;
     return true;
 }
@@ -169,7 +169,7 @@ std::string Multipliers::how() const {
 }
 
 bool Multipliers::solve() {
-    areBalanced_ = true;
+    areFound_ = true;
     atOnce_.isLast = false;
     if (size() == 0)
         return true;
@@ -189,23 +189,23 @@ bool Multipliers::solve() {
 
 bool Multipliers::solveHeld() {
     slips_.find(f_.bound()->discs.size());
-    areBalanced_ = true;
+    areFound_ = true;
     if (!slips_.empty()) {
         evaluateGaps();
         found_ = rest_;
         held_.solve(found_, mode_.share.forces);
-        areBalanced_ = slips_.solve(matrix(), held_, found_);
+        areFound_ = slips_.solve(matrix(), held_, found_);
         slips_.addTo(rest_, matrix());
     }
     found_ = rest_;
     held_.solve(found_, mode_.share.forces);
-    const bool isKept = areBalanced_ && found_.allFinite() && isSolved();
+    areFound_ = areFound_ && found_.allFinite() && isSolved();
     const std::span<double> into = std::span(f_.in()).last(size());
     for (std::size_t row = 0; row < size(); ++row)
         into[row] = holds(row) ? found_[indexOf(row)] : bound(row);
     if (!slips_.empty())
         slips_.putInto(into);
-    return isKept;
+    return areFound_;
 }
 
 void Multipliers::take(const Solution& solution) {

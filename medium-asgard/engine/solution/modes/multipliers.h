@@ -59,6 +59,7 @@ public:
     // point does. `change`: of second rates with multipliers as they are; then of the multipliers.
     // `gaps`: of the values of Conditions::gaps.
     void linearise();
+    void change(std::span<const double> gaps, Eigen::Ref<Eigen::VectorXd> change);
     // As Conditions::moves.
     [[nodiscard]] std::span<const double> moves() {
         evaluateMoves();
@@ -66,9 +67,9 @@ public:
     }
     // Null: the conditions are one expression.
     [[nodiscard]] ComposedConditions* composed() { return composed_ ? &*composed_ : nullptr; }
-    void change(std::span<const double> gaps, Eigen::Ref<Eigen::VectorXd> change);
-    // The last solve() found forces of slips that follow the forces that they change.
-    [[nodiscard]] bool areBalanced() const { return areBalanced_; }
+    // The last solve() found forces that keep what holds, and those of slips follow the forces that
+    // they change.
+    [[nodiscard]] bool areFound() const { return areFound_; }
     // Conditions that hold are redundant there.
     [[nodiscard]] bool isRedundant() const { return !held_.isRegular(); }
     // How the last forces were found: a clause; "": there are none.
@@ -206,7 +207,7 @@ private:
     std::vector<double> second_, ties_, gaps_, moves_;
     DiscFriction friction_;
     SlipForces slips_;
-    bool areBalanced_ = true;
+    bool areFound_ = true;
     struct AtOnce {
         bool isDecided = false;                        // whether there is a model
         const ComponentModel::Solved* model = nullptr; // none: never
