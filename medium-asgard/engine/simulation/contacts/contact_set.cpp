@@ -198,37 +198,7 @@ bool areLike(const LastingContact& a, const LastingContact& b) {
     return true;
 }
 
-// With the same numbers, too. The gaps that its points keep count as the same.
-bool areSame(const LastingContact& a, const LastingContact& b) {
-    const physics::ContactFriction &f = a.place.friction, &g = b.place.friction;
-    const auto isSameLanding = [&](const auto& x, const auto& y) {
-        return x.body == y.body && x.isAbove == y.isAbove && x.isBeneath == y.isBeneath &&
-               x.gap.has_value() == y.gap.has_value() && isOnePiece(x.piece, y.piece, a.place.size);
-    };
-    const auto hasSameSides = [](const physics::ContactPoint& x, const physics::ContactPoint& y) {
-        return x.sides.size() == y.sides.size();
-    };
-    return areLike(a, b) && a.isInPlane == b.isInPlane && !a.stand.stands && !b.stand.stands &&
-           a.place.rows() == b.place.rows() && f.sticking == g.sticking && f.sliding == g.sliding &&
-           f.rolling == g.rolling && f.bodySurface == g.bodySurface &&
-           f.supportSurface == g.supportSurface &&
-           std::ranges::equal(a.place.points, b.place.points, hasSameSides) &&
-           std::ranges::equal(a.place.landings, b.place.landings, isSameLanding);
-}
-
 } // namespace
-
-bool ContactSet::goesOn(const Contact& contact, std::span<const LastingContact> contacts,
-                        const Histories& histories, double time) {
-    const auto isGone = [&](std::size_t row) {
-        const double mode =
-            row < histories.unknowns() ? histories.value(row, time) : solution::releasedMode;
-        return mode == solution::releasedMode || solution::isJammed(mode);
-    };
-    return contact.phase > time && std::ranges::none_of(contact.rows, isGone) &&
-           std::ranges::any_of(
-               contacts, [&](const LastingContact& other) { return areSame(contact.of, other); });
-}
 
 bool ContactSet::isLike(std::span<const std::size_t> bodies,
                         std::span<const LastingContact> contacts) const {
@@ -245,25 +215,19 @@ bool ContactSet::isLike(std::span<const std::size_t> bodies,
 }
 
 void ContactSet::set(std::span<const std::size_t> bodies, std::vector<LastingContact> contacts,
-                     const Histories& histories, double time,
-                     const std::function<double(std::size_t body)>& nextPhase) {
-    const auto isOver = [&](const Contact& contact) {
-        return std::ranges::any_of(bodies, [&](std::size_t b) { return contact.has(b); }) &&
-               !goesOn(contact, contacts, histories, time);
+                     double time, const std::function<double(std::size_t body)>& nextPhase) {
+    concerned_.insert(bodies.begin(), bodies.end());
+    const auto isOf = [&](const Contact& contact) {
+        return std::ranges::any_of(bodies, [&](std::size_t b) { return contact.has(b); });
     };
-    std::vector<Contact> goingOn;
-    for (Contact& contact : contacts_) {
-        if (!isOver(contact)) {
-            std::erase_if(contacts,
-                          [&](const LastingContact& other) { return areSame(contact.of, other); });
-            goingOn.push_back(std::move(contact));
+    for (const Contact& contact : contacts_) {
+        if (!isOf(contact))
             continue;
-        }
         concerned_.insert({contact.of.place.body, contact.of.place.support});
         for (std::size_t k = 0; k < contact.rows.size(); ++k)
             ended_.emplace_back(roleOf(contact, k), contact.rows[k]);
     }
-    contacts_ = std::move(goingOn);
+    std::erase_if(contacts_, isOf);
     for (LastingContact& of : contacts) {
         concerned_.insert({of.place.body, of.place.support});
         const double phase = std::min(nextPhase(of.place.body), nextPhase(of.place.support));
@@ -419,8 +383,7 @@ void ContactSet::write(double time, solution::EquationsInForce& equations,
     for (Contact& contact : contacts_) {
         if (std::ranges::none_of(moving, [&](std::size_t body) { return contact.has(body); }))
             continue;
-        const bool isNew = contact.rows.empty();
-        if (isNew)
+        if (contact.rows.empty())
             giveRows(contact, equations, changes);
         std::vector<expression::Node> multipliers;
         for (const std::size_t row : contact.rows) {
@@ -430,7 +393,7 @@ void ContactSet::write(double time, solution::EquationsInForce& equations,
                                               : changes.additions[row - known].unknown.symbol);
         }
         rows.addContact(contact.of.place, multipliers);
-        written.push_back({&contact, std::move(multipliers), isNew});
+        written.push_back({&contact, std::move(multipliers)});
     }
     for (physics::ContactRows::Equation& equation : rows.velocities(moving))
         changes.equations.push_back(
@@ -440,8 +403,7 @@ void ContactSet::write(double time, solution::EquationsInForce& equations,
     for (const Written& one : written)
         for (const std::size_t row : one.contact->rows) {
             changes.equations.push_back({row, conditions[next++], {}});
-            if (one.isNew)
-                changes.jumps.push_back({row, 0}); // whatever its last contact was
+            changes.jumps.push_back({row, 0}); // whatever its last contact was
         }
     note(time, written, moving);
     writeReadings(rows, written, set, changes);

@@ -76,10 +76,9 @@ public:
     // These are the contacts of these bodies already: the same features of the same parts.
     [[nodiscard]] bool isLike(std::span<const std::size_t> bodies,
                               std::span<const LastingContact> contacts) const;
-    // From `time` on these are the contacts of these bodies, and no others. Those that go on as
-    // they are keep their rows. `nextPhase`: when a trajectory next concerns a body.
-    void set(std::span<const std::size_t> bodies, std::vector<LastingContact> contacts,
-             const solution::Histories& histories, double time,
+    // From `time` on these are the contacts of these bodies, and no others. `nextPhase`: when a
+    // trajectory next concerns a body.
+    void set(std::span<const std::size_t> bodies, std::vector<LastingContact> contacts, double time,
              const std::function<double(std::size_t body)>& nextPhase);
     // Their motion has ended.
     void forget(std::size_t body);
@@ -87,8 +86,7 @@ public:
     void write(double time, solution::EquationsInForce& equations, solution::Changes& changes);
     // All that was written.
     [[nodiscard]] const ContactLog& log() const { return log_; }
-    // set() changes these bodies' equations, since a contact of theirs has begun or ended, and
-    // those of these unknowns, which read contacts.
+    // set() changes these bodies' equations, and those of these unknowns, which read contacts.
     [[nodiscard]] const std::set<std::size_t>& concerned() const { return concerned_; }
     [[nodiscard]] std::vector<std::size_t> concernedReaders() const;
 
@@ -117,10 +115,6 @@ private:
     [[nodiscard]] static std::optional<Tipping> tipsFrom(const solution::Histories& histories,
                                                          const Contact& contact, double until);
     [[nodiscard]] std::size_t ownerOf(const Contact& contact) const;
-    // It has all its points, no trajectory concerns it, and it would be made again so.
-    [[nodiscard]] static bool goesOn(const Contact& contact,
-                                     std::span<const LastingContact> contacts,
-                                     const solution::Histories& histories, double time);
     void giveRows(Contact& contact, solution::EquationsInForce& equations,
                   solution::Changes& changes);
     void noteBodies();
@@ -129,7 +123,6 @@ private:
     struct Written {
         const Contact* contact;
         std::vector<expression::Node> multipliers;
-        bool isNew = true;
     };
     void writeReadings(physics::ContactRows& rows, std::span<const Written> written,
                        expression::EquationSet& set, solution::Changes& changes) const;

@@ -1,12 +1,10 @@
 // Rest and sliding: bouncing that would never end, bodies laid down, tables and what falls off
 // them, platforms that move, and what is refused.
 #include "contacts/held_level_testing.h"
-#include "motion/computed_motion.h"
 
 #include <cmath>
 #include <numbers>
 #include <optional>
-#include <set>
 
 namespace simulation::testing {
 namespace {
@@ -55,26 +53,6 @@ TEST(Rest, ABodyLaidOnTheFloorStaysWhateverItsRestitution) {
         EXPECT_EQ(result.motion->at(2, 5).angularVelocity.norm(), 0);
         EXPECT_FALSE(result.motion->stop(1) || result.motion->stop(2));
     }
-}
-
-// A box comes to lie on a plank on which another one lies: equations of that other one stay.
-TEST(Rest, AContactThatBeginsLeavesThoseBesideItAsTheyAre) {
-    SceneBuilder b(1);
-    b.floor();
-    b.box("plank", {0, 0.05, 0}, {2, 0.1, 0.5}).restitution = 0;
-    b.box("still", {-0.7, 0.2, 0}, {0.2, 0.2, 0.2}).restitution = 0;
-    b.box("dropped", {0, 0.3, 0}, {0.2, 0.2, 0.2}).restitution = 0;
-    for (const char* name : {"plank", "still", "dropped"})
-        b.weight(name);
-    const Result result = simulate(b.scene);
-    const auto motion = std::dynamic_pointer_cast<const ComputedMotion>(result.motion);
-    ASSERT_TRUE(motion && motion->contents().parts.size() == 1);
-    const auto& entries = motion->contents().parts[0].contacts.entries();
-    ASSERT_FALSE(entries.empty());
-    EXPECT_EQ(entries.back()->moving, (std::set<std::size_t>{1, 3}));
-    EXPECT_EQ(entries.back()->contacts.size(), 3u); // of the plank
-    EXPECT_EQ(motion->at(2, 1).position, motion->at(2, 0).position);
-    EXPECT_NEAR(motion->at(3, 1).position.y(), 0.2, 1e-9);
 }
 
 // However fast it spins: what is pressed to the floor is the ball, not the point of it that

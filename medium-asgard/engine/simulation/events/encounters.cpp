@@ -393,9 +393,9 @@ void CollisionSource::settle(const Instant& at, std::span<const std::size_t> bod
     for (const LastingContact& contact : contacts)
         for (const std::size_t body : {contact.place.body, contact.place.support})
             noteUnturned(at, body);
-    contacts_.set(together, std::move(contacts), at.histories, at.time,
+    contacts_.set(together, std::move(contacts), at.time,
                   [&](std::size_t body) { return mobility_.nextPhase(body, at.time); });
-    outcome_.isContactsNew = !contacts_.concerned().empty();
+    outcome_.isContactsNew = true;
     for (const std::size_t body : contacts_.concerned())
         for (std::size_t i = 0; i < physics::bodyUnknowns && !world_.isFixed(body); ++i)
             event.touched.push_back(world_.records[body].firstUnknown + i);
