@@ -43,6 +43,17 @@ TEST(Together, LeadsPastContactsWithoutForceAndRate) {
     EXPECT_LE(at.steps, 45);
 }
 
+// Where no force changes a rate the path has no numbers.
+TEST(Together, FindsNoForcesWhereTheyChangeNoRates) {
+    std::mt19937_64 random(7);
+    Heap heap = heapOfFaces(random, 4, 2, 0.5);
+    heap.a.setZero();
+    heap.b.setConstant(-1);
+    const Approach at = approachTogether(heap.a, heap.b, heap.laws);
+    EXPECT_EQ(violationOf(heap, endOf(heap.a, heap.b, heap.laws, at)), unbounded);
+    EXPECT_FALSE(solve(heap.a, heap.b, heap.laws));
+}
+
 TEST(Together, TakesAsManyStepsInAllUnits) {
     std::mt19937_64 random(7);
     const Heap heap = heapOfFaces(random, 6, 4, 0.5);
