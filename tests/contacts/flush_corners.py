@@ -19,7 +19,7 @@ sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from random_piles import axes_of, gap_of_boxes, read  # noqa: E402
 
 HALF, FINISH, STEP = 0.25, 0.01, 5e-5
-SUNK = 4e-9 * HALF  # a corner beside others may be as deep (besideDepth in surfaces/contact_resolution.h)
+SUNK = 2e-9 * HALF
 
 
 def quaternion(axis, angle):

@@ -44,7 +44,7 @@ inline constexpr double weakPush = 1e-6, leastPush = 1e-12;
 
 // --- accuracy ------------------------------------------------------------------------------------
 
-inline constexpr double gapPart = 1e-2, hopPart = 1e-2; // of the accuracy
+inline constexpr double gapPart = 1e-2, hopPart = 1e-3; // of the accuracy
 inline constexpr double leastGap = 1e-8, mostGap = 1e-6;
 inline constexpr double searchedGap = 4 * mostGap; // boxes hold what comes so near
 
@@ -71,7 +71,7 @@ struct ContactScales {
     bool isNudged = false;     // the run shows what rounding does
 };
 
-// A hop that is lower than a hundredth of the accuracy is the last, at the first tolerance. The
+// A hop that is lower than a thousandth of the accuracy is the last, at the first tolerance. The
 // height follows the square of the tolerance: where runs left out nearly the same hops, both could
 // be hit elsewhere during one of them, and go the same wrong way. The nudged run follows lower ones
 // yet, to show what they do. The depth of balls side by side follows the tolerance itself; far
